@@ -20,8 +20,7 @@ std::size_t most_states(std::size_t budget, std::size_t numbers) {
 } // namespace
 
 Checkpoints::Checkpoints(Maker make, std::vector<double> start, double interval, std::size_t budget)
-    : make_(std::move(make)), interval_(interval), budget_(budget),
-      most_(most_states(budget, start.size())) {
+    : make_(std::move(make)), interval_(interval), budget_(budget), most_(most_states(budget, start.size())) {
     GASPARD_CHECK(interval > 0 && std::isfinite(interval));
     last_ = {0, std::make_shared<const std::vector<double>>(std::move(start))};
     kept_.insert(last_);

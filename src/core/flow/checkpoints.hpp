@@ -66,7 +66,7 @@ class Checkpoints {
     mutable std::mutex mutex_;  ///< of the following, which are a cache
     mutable std::map<std::int64_t, State> kept_;
     mutable std::int64_t stride_ = 1;
-    mutable Checkpoint last_;                               ///< that was computed
+    mutable Checkpoint last_;                              ///< that was computed
     mutable std::vector<std::unique_ptr<Evolution>> idle_; ///< to be used again
 };
 

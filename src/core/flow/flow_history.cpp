@@ -44,8 +44,8 @@ std::shared_ptr<const Checkpoints> flow_history(const FlowOptions& options, std:
     std::vector<double> start = continuous_state(options.cells, nodal);
     flow.set_state(start);
     const double interval = std::min(steps_per_interval * flow.stable_step(), longest_interval);
-    return std::make_shared<const Checkpoints>(
-        [options] { return std::make_unique<FlowEvolution>(options); }, std::move(start), interval, budget);
+    return std::make_shared<const Checkpoints>([options] { return std::make_unique<FlowEvolution>(options); },
+                                               std::move(start), interval, budget);
 }
 
 } // namespace gaspard

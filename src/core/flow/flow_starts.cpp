@@ -26,8 +26,7 @@ std::vector<double> bell_along(std::size_t n, double centre, double radius) {
     std::vector<double> values(n);
     for (std::size_t i = 0; i < n; ++i)
         for (int image = -reach; image <= reach; ++image) {
-            const double z =
-                (static_cast<double>(i) / static_cast<double>(n) - centre + image) / radius;
+            const double z = (static_cast<double>(i) / static_cast<double>(n) - centre + image) / radius;
             values[i] += std::exp(-z * z);
         }
     return values;

@@ -46,10 +46,9 @@ std::vector<Vortex> start_vortices(const Values& values) {
 
 /// q at the start, at n x n nodes.
 std::vector<double> start_values(std::size_t n, const Values& values) {
-    std::vector<double> q =
-        values.text("start") == "noise"
-            ? noise_values(n, static_cast<std::uint64_t>(values.integer("seed")))
-            : vortex_values(n, start_vortices(values), values.real("radius"));
+    std::vector<double> q = values.text("start") == "noise"
+                                ? noise_values(n, static_cast<std::uint64_t>(values.integer("seed")))
+                                : vortex_values(n, start_vortices(values), values.real("radius"));
     for (double& value : q) value *= values.real("strength");
     return q;
 }
@@ -59,7 +58,8 @@ std::string name_of_flow(const Values& values, const Space& space) {
     std::string name = "flow";
     for (const auto& rows : {flow_rows(space), further_flow_rows(values, space)})
         for (const ParameterRow& row : rows)
-            if (row.role != ParameterRole::time) name += ' ' + row.key + '=' + format_value(values.at(row.key));
+            if (row.role != ParameterRole::time)
+                name += ' ' + row.key + '=' + format_value(values.at(row.key));
     return name;
 }
 
@@ -133,7 +133,8 @@ std::vector<ParameterRow> further_flow_rows(const Values& values, const Space&) 
                  .slider = SliderRange{1, 12},
                  .default_value = std::int64_t{6},
                  .help = "number of vortices at the start"},
-                radius_row(0.06), seed_row("of the places and strengths of the vortices")};
+                radius_row(0.06),
+                seed_row("of the places and strengths of the vortices")};
     return {{.key = "distance",
              .label = "Distance",
              .minimum = 0.02,

@@ -21,7 +21,8 @@ const std::vector<SourceType>& source_types() {
 
 bool is_offered(const SourceType& type, const Space& space) {
     return (type.solids || !space.solid) &&
-           (type.spaces.empty() || std::find(type.spaces.begin(), type.spaces.end(), space.kind) != type.spaces.end());
+           (type.spaces.empty() ||
+            std::find(type.spaces.begin(), type.spaces.end(), space.kind) != type.spaces.end());
 }
 
 const SourceType& source_type(std::string_view name) {

@@ -11,7 +11,7 @@ namespace {
 
 FieldInfo vorticity_field() {
     return {.name = "q",
-            .label = "vorticity q",
+            .label = "vorticity",
             .symbol = "q",
             .centre = 0,
             .help = "potential vorticity of the flow"};
@@ -49,23 +49,22 @@ std::vector<ParameterRow> flow_monitor_rows(const Space& space) {
 } // namespace
 
 MonitorType flow_monitor_type() {
-    return {.name = "flow",
-            .label = "Flow",
-            .help = "small cells in the vortices of a flow that is computed; it moves with the clock",
-            .equation = "m(x, t) = 1 + (C - 1) (|q| / max |q|)^γ, blurred; q_t + ∇·(q u) = 0",
-            .spaces = {SpaceKind::periodic_square},
-            .solids = false,
-            .rows = flow_monitor_rows,
-            .make = [](const Values& values, const MonitorContext& context) -> std::shared_ptr<const Monitor> {
-                const FieldData q = flow_field(values, context);
-                const auto options =
-                    field_density_options(values, {.transform = field_transform(values)});
-                return std::make_shared<FlowMonitor>(
-                    field_density(q, options, context, values.section()),
-                    field_function(q, {}, context).function);
-            },
-            .further_rows = further_flow_rows,
-            .fields = {vorticity_field()}};
+    return {
+        .name = "flow",
+        .label = "Flow",
+        .help = "small cells in the vortices of a flow that is computed; it moves with the clock",
+        .equation = "m(x, t) = 1 + (C - 1) (|q| / max |q|)^γ, blurred; q_t + ∇·(q u) = 0",
+        .spaces = {SpaceKind::periodic_square},
+        .solids = false,
+        .rows = flow_monitor_rows,
+        .make = [](const Values& values, const MonitorContext& context) -> std::shared_ptr<const Monitor> {
+            const FieldData q = flow_field(values, context);
+            const auto options = field_density_options(values, {.transform = field_transform(values)});
+            return std::make_shared<FlowMonitor>(field_density(q, options, context, values.section()),
+                                                 field_function(q, {}, context).function);
+        },
+        .further_rows = further_flow_rows,
+        .fields = {vorticity_field()}};
 }
 
 } // namespace gaspard

@@ -43,14 +43,11 @@ bool contains(const std::vector<std::string>& list, const std::string& word) {
     return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-Capability plane_capability(const char* boundary, const std::vector<std::string>& further_monitors) {
-    std::vector<std::string> monitors = {"ring",         "bell",     "ring-and-bell", "random-bells",
-                                         "random-waves", "constant", "formula",       "image",
-                                         "field",        "derived",  "combine"};
-    monitors.insert(monitors.end(), further_monitors.begin(), further_monitors.end());
+Capability plane_capability() {
     return {.domain = "plane",
-            .boundaries = {boundary},
-            .monitors = std::move(monitors),
+            .boundaries = {"periodic", "walls"},
+            .monitors = {"ring", "bell", "ring-and-bell", "random-bells", "random-waves", "constant",
+                         "formula", "image", "field", "derived", "combine"},
             .methods = {"relaxation", "accelerated", "quasi-newton", "newton", "auto"},
             .prepare = [](const PrepareContext& context) -> std::shared_ptr<const Discretisation> {
                 const Values& domain = context.scenario.domain.values;
@@ -59,6 +56,13 @@ Capability plane_capability(const char* boundary, const std::vector<std::string>
                                                           domain.text("boundary") == "periodic"});
             },
             .problem = problem_on<PlaneEquation, PlaneQ2>};
+}
+
+/// Flows are periodic.
+Capability flow_capability() {
+    Capability row = plane_capability();
+    row.boundaries = {"periodic"}, row.monitors = {"flow"};
+    return row;
 }
 
 Capability sphere_capability(const DomainType& type, SphereGrid (*grid)(const Values&)) {
@@ -112,7 +116,7 @@ Capability solid_capability(const std::string& domain_type) {
 Capability interval_capability() {
     return {.domain = "interval",
             .boundaries = {},
-            .monitors = {"layer", "two-layers", "constant", "formula"},
+            .monitors = {"layer", "two-layers", "constant", "formula", "burgers"},
             .methods = {"mesh-pde", "bakhvalov", "shishkin", "equidistribute", "solution-adapted"},
             .prepare = [](const PrepareContext& context) -> std::shared_ptr<const Discretisation> {
                 return make_interval(context.scenario.domain.values);
@@ -171,8 +175,7 @@ Catalogue builtin_catalogue() {
                     nvfem_method()},
         .pdes = {no_pde(), reaction_diffusion_pde(), coupled_pde(), convection_diffusion_pde(),
                  plane_reaction_diffusion_pde(), plane_convection_diffusion_pde()},
-        .capabilities = {plane_capability("periodic", {"flow"}), plane_capability("walls", {}),
-                         sphere_capability(cubed_sphere_domain(), cubed_sphere_grid),
+        .capabilities = {plane_capability(), sphere_capability(cubed_sphere_domain(), cubed_sphere_grid),
                          sphere_capability(icosahedral_sphere_domain(), icosahedral_sphere_grid)},
         .output_rows = output_rows()};
     for (auto& domain : spline_domains()) {
@@ -189,6 +192,7 @@ Catalogue builtin_catalogue() {
     catalogue.capabilities.push_back(quadrilateral_capability());
     catalogue.domains.push_back(transport_domain());
     catalogue.capabilities.push_back(transport_capability());
+    catalogue.capabilities.push_back(flow_capability());
     return catalogue;
 }
 

@@ -30,7 +30,7 @@ class ScenarioTest : public testing::Test {
 
 TEST_F(ScenarioTest, EveryBuiltinScenarioPassesAndPinsMethodAndStep) {
     const auto builtins = builtin_scenarios();
-    ASSERT_EQ(builtins.size(), 49u);
+    ASSERT_EQ(builtins.size(), 55u);
     for (const auto& builtin : builtins) {
         const Scenario scenario = find_scenario(catalogue, std::string(builtin.name));
         EXPECT_EQ(scenario.name, builtin.name);
