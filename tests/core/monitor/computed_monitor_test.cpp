@@ -15,11 +15,11 @@
 namespace gaspard {
 namespace {
 
-const Space torus{SpaceKind::periodic_square};
-const Space line{.kind = SpaceKind::euclidean, .dimension = 1};
+const Space flow_space{SpaceKind::periodic_square};
+const Space burgers_space{.kind = SpaceKind::euclidean, .dimension = 1};
 
 Values flow_values(double t) {
-    Values values = default_values(monitor_type("flow"), torus);
+    Values values = default_values(monitor_type("flow"), flow_space);
     values.set("cells", std::int64_t{32}), values.set("radius", 0.1), values.set("t", t);
     return values;
 }
@@ -41,11 +41,11 @@ TEST(FlowMonitor, IsThatOfTheFieldOfAFlowAtItsTime) {
     for (int i = 0; i < 32; ++i) data.axes[0].push_back(i / 32.0);
     data.axes[1] = data.axes[0];
     const std::vector<double> q = data.values;
-    const DataContext context{.space = torus};
+    const DataContext context{.space = flow_space};
     const auto expected = field_monitor(
         {"q", {}, std::move(data)}, {.field = {.transform = FieldTransform::absolute, .blur = 1}}, context);
     const auto monitor = monitor_type("flow").make(flow_values(t), context);
-    const Points x = some_points(torus);
+    const Points x = some_points(flow_space);
     EXPECT_EQ(values_of(*monitor, x), values_of(*expected, x));
     EXPECT_NE(values_of(*monitor, x), values_of(*monitor_type("flow").make(flow_values(0), context), x));
     Points nodes(32);
@@ -57,10 +57,10 @@ TEST(FlowMonitor, IsThatOfTheFieldOfAFlowAtItsTime) {
 }
 
 TEST(FlowMonitor, DoesNotDependOnWhatWasAskedForBefore) {
-    const DataContext fresh{.space = torus};
+    const DataContext fresh{.space = flow_space};
     DataContext kept = fresh;
     kept.files = std::make_shared<FileCache>();
-    const Points x = some_points(torus);
+    const Points x = some_points(flow_space);
     const MonitorType type = monitor_type("flow");
     for (const double t : {0.9, 0.1, 0.0, 0.55, 0.9})
         EXPECT_EQ(values_of(*type.make(flow_values(t), kept), x),
@@ -72,7 +72,7 @@ TEST(FlowMonitor, DoesNotDependOnWhatWasAskedForBefore) {
 }
 
 TEST(FlowMonitor, StopsAndReportsProgress) {
-    DataContext context{.space = torus};
+    DataContext context{.space = flow_space};
     std::vector<std::string> texts;
     context.progress = [&](double, std::string_view text) { texts.emplace_back(text); };
     monitor_type("flow").make(flow_values(1), context);
@@ -84,7 +84,7 @@ TEST(FlowMonitor, StopsAndReportsProgress) {
 }
 
 TEST(FlowSource, IsForThePeriodicPlane) {
-    EXPECT_TRUE(is_offered(source_type("flow"), torus));
+    EXPECT_TRUE(is_offered(source_type("flow"), flow_space));
     EXPECT_FALSE(is_offered(source_type("flow"), Space{}));
     EXPECT_FALSE(is_offered(source_type("flow"), Space{SpaceKind::sphere}));
     EXPECT_FALSE(is_offered(source_type("image"), Space{.dimension = 3, .solid = true}));
@@ -92,15 +92,16 @@ TEST(FlowSource, IsForThePeriodicPlane) {
     const auto choices = [](const Space& space) {
         return monitor_type("derived").rows(space).front().choices;
     };
-    EXPECT_EQ(std::ranges::count(choices(torus), "flow"), 1);
+    EXPECT_EQ(std::ranges::count(choices(flow_space), "flow"), 1);
     EXPECT_EQ(std::ranges::count(choices(Space{}), "flow"), 0);
 }
 
 TEST(FlowSource, HasTheValuesOfQ) {
-    Values values("monitor.u",
-                  all_rows(source_type("flow"), Values("monitor.u", source_type("flow").rows(torus)), torus));
+    Values values(
+        "monitor.u",
+        all_rows(source_type("flow"), Values("monitor.u", source_type("flow").rows(flow_space)), flow_space));
     values.set("cells", std::int64_t{32}), values.set("radius", 0.1);
-    const auto u = source_type("flow").make(values, {.space = torus}).function;
+    const auto u = source_type("flow").make(values, {.space = flow_space}).function;
     const auto vortices = scattered_vortices(6, 1);
     Points centre(1);
     centre.set(0, {vortices[1].centre[0], vortices[1].centre[1], 0});
@@ -112,11 +113,11 @@ TEST(FlowSource, HasTheValuesOfQ) {
 
 TEST(BurgersMonitor, IsTheArcLengthOfTheSolution) {
     const MonitorType type = monitor_type("burgers");
-    Values values = default_values(type, line);
+    Values values = default_values(type, burgers_space);
     values.set("t", 0.5), values.set("nu", 0.02), values.set("alpha", 2.0);
-    const auto monitor = type.make(values, {.space = line});
+    const auto monitor = type.make(values, {.space = burgers_space});
     const BurgersData exact = burgers_front(0.02, 0.2);
-    const Points x = some_points(line);
+    const Points x = some_points(burgers_space);
     const auto m = values_of(*monitor, x);
     const auto u = monitor->fields(x);
     ASSERT_EQ(u.size(), 1u);

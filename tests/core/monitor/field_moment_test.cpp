@@ -14,19 +14,20 @@
 namespace gaspard {
 namespace {
 
-constexpr std::size_t side = 9, steps = 3;
+constexpr std::size_t points_a_side = 9, moments_in_file = 3;
 
 /// v(x, y, k) = 1 + (k + 1)^2 x in the unit square, k = 0, 1, 2, as a data: URI.
 std::string file_in_time() {
     std::vector<double> axis, values, times;
-    for (std::size_t i = 0; i < side; ++i) axis.push_back(static_cast<double>(i) / (side - 1));
-    for (std::size_t k = 0; k < steps; ++k) {
+    for (std::size_t i = 0; i < points_a_side; ++i)
+        axis.push_back(static_cast<double>(i) / (points_a_side - 1));
+    for (std::size_t k = 0; k < moments_in_file; ++k) {
         times.push_back(10 * static_cast<double>(k));
         const double factor = static_cast<double>((k + 1) * (k + 1));
-        for (std::size_t j = 0; j < side; ++j)
-            for (std::size_t i = 0; i < side; ++i) values.push_back(1 + factor * axis[i]);
+        for (std::size_t j = 0; j < points_a_side; ++j)
+            for (std::size_t i = 0; i < points_a_side; ++i) values.push_back(1 + factor * axis[i]);
     }
-    const NetcdfFile file{{{"time", steps}, {"y", side}, {"x", side}},
+    const NetcdfFile file{{{"time", moments_in_file}, {"y", points_a_side}, {"x", points_a_side}},
                           {{"time", {"time"}, times},
                            {"y", {"y"}, axis},
                            {"x", {"x"}, axis},
@@ -44,7 +45,7 @@ Values values_of_file() {
 double at_right(const Values& values, std::shared_ptr<FileCache> files = nullptr) {
     DataContext context;
     context.files = std::move(files);
-    return values_of(*read_field(values, context))[side - 1];
+    return values_of(*read_field(values, context))[points_a_side - 1];
 }
 
 TEST(FieldMoment, InterpolatesBetweenTimeSteps) {

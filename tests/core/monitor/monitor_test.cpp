@@ -206,7 +206,8 @@ TEST(Monitors, ArePositiveForAllParametersInRange) {
     std::mt19937 random(4);
     const Points x = random_points(200, -1, 2, 5);
     ASSERT_EQ(monitor_types().size(), 24u);
-    const std::set<std::string> slow = {"image", "derived", "combine", "flow", "burgers"}; // sampled, computed
+    // Those that are sampled and smoothed, or computed.
+    const std::set<std::string> slow = {"image", "derived", "combine", "flow", "burgers"};
     for (const MonitorType& type : monitor_types())
         for (int trial = 0; trial < (slow.count(type.name) == 1 ? sanitized ? 1 : 4 : 200); ++trial)
             for (const Space& space : {flat, periodic, round}) {
