@@ -18,7 +18,7 @@ ParameterRow seed_row(const char* help) {
             .label = "Seed",
             .kind = ParameterKind::integer,
             .minimum = 0,
-            .maximum = 1e6,
+            .maximum = 1e9,
             .slider = SliderRange{1, 100},
             .default_value = std::int64_t{1},
             .help = help,
