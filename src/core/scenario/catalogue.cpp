@@ -275,10 +275,13 @@ const Capability* find_capability(const Catalogue& catalogue, const Scenario& sc
     std::string possible, boundary;
     for (const auto& row : catalogue.capabilities) {
         if (row.domain != scenario.domain.type) continue;
+        if (!row.boundaries.empty()) {
+            const std::string& present = scenario.domain.values.text("boundary");
+            boundary = " with boundary '" + present + "'";
+            if (!contains(row.boundaries, present)) continue;
+        }
         possible +=
             "; possible: monitors " + join(row.monitors, ", ") + " with methods " + join(row.methods, ", ");
-        if (!row.boundaries.empty())
-            boundary = " with boundary '" + scenario.domain.values.text("boundary") + "'";
     }
     throw InputError("monitor '" + scenario.monitor.type + "' and method '" + scenario.method.type +
                      "' cannot be combined on domain '" + scenario.domain.type + "'" + boundary + possible);

@@ -191,6 +191,18 @@ TEST_F(ScenarioTest, ReservedNamesAreErrorsOfTheirOwn) {
               message_of([&] { apply_settings(catalogue, scenario, {"domain.target.type=disk"}); }));
 }
 
+TEST_F(ScenarioTest, FlowsNeedThePeriodicPlane) {
+    Scenario scenario = find_scenario(catalogue, "flow-live");
+    EXPECT_NO_THROW(check(catalogue, scenario));
+    apply_settings(catalogue, scenario, {"domain.boundary=walls"});
+    const std::string message = message_of([&] { check(catalogue, scenario); });
+    expect_in(
+        "monitor 'flow' and method 'newton' cannot be combined on domain 'plane' with boundary 'walls'; "
+        "possible: monitors ring",
+        message);
+    EXPECT_EQ(message.find("flow with"), std::string::npos) << message;
+}
+
 TEST_F(ScenarioTest, SettingsAreChecked) {
     Scenario scenario = default_scenario(catalogue);
     const Scenario before = scenario;
