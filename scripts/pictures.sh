@@ -20,6 +20,21 @@ echo docs/compare.png
 "$gaspard" reproduce mcrae-fig4 --out "$drawn/flow" > "$drawn/table"
 convert "$drawn/flow/mcrae-fig4.png" -resize 1200x "$here/docs/flow.png"
 echo docs/flow.png
+
+# Of the scenarios that move, at one of their times.
+live() { # name, time, then arguments of `gaspard run`
+  local name=$1 time=$2 scenario=$3; shift 3
+  "$gaspard" run "$scenario" --quiet --formats obj --set time.end="$time" --size 640x520 --set view.theme=light \
+    --set view.histogram=false --set view.caption=false "$@" --out "$drawn/$name"
+  convert "$drawn/$name/view.png" -strip +dither -colors 128 "PNG8:$here/docs/$name.png"
+  echo "docs/$name.png"
+}
+live live-flow 10 flow-live
+live live-merging 1 flow-merging
+live live-burgers 0.5 burgers-1d
+live live-front 0.8 front-2d
+live live-ring 5 plane-moving-ring
+live live-cross 1.2 sphere-rotating-cross
 draw window plane-bell --whole-window --size 1400x900
 draw side-by-side plane-ring --size 1400x640 --set view.layout=side-by-side --set view.color=equidistribution \
   --set view.theme=light --set domain.cells=40

@@ -17,7 +17,12 @@ names=("$@")
 [ ${#names[@]} -gt 0 ] || mapfile -t names < <("$gaspard" list scenarios | awk 'NF && /^  /{print $1}')
 for name in "${names[@]}"; do
   own=()
-  case $name in layer-1d*) own=(--set view.text_size=0.6 --set view.lines=false) ;; esac
+  case $name in
+    layer-1d*|burgers*) own=(--set view.text_size=0.6 --set view.lines=false) ;;
+    flow-merging) own=(--set time.end=1) ;;
+    front-2d) own=(--set time.end=0.8) ;;
+    plane-moving-ring) own=(--set time.end=2) ;;
+  esac
   # At twice the size, so that lines are thinner than a pixel.
   "$gaspard" run "$name" --quiet --formats obj --size 256x192 "${bare[@]}" "${own[@]}" --out "$drawn/$name" \
     || [ -f "$drawn/$name/view.png" ] # a status other than converged

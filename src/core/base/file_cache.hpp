@@ -23,7 +23,7 @@ class FileCache {
     /// The content of a file (a path or a data: URI, as an absolute path) as `make` has made it; `purpose`
     /// distinguishes the contents that are made of one file, and implies the type T. Calls `make` if there is
     /// none, or if the file has been replaced or changed since; what `make` throws is passed on. `bytes`: the
-    /// memory that a content takes.
+    /// memory that a content takes. `file` is empty if nothing is read: `purpose` then says what is computed.
     template <class T>
     std::shared_ptr<const T> get(const std::string& file, std::string_view purpose,
                                  const std::function<std::shared_ptr<const T>()>& make,

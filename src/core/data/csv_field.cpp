@@ -312,7 +312,7 @@ GridData matrix_with_axes(const Table& table) {
 } // namespace
 
 FieldData parse_csv_field(std::string_view text, const FieldRequest& request) {
-    find_index(request.time, 1, "time"), find_index(request.level, 1, "level");
+    find_time(request, 1), find_index(request.level, 1, "level");
     const Table table = TableReader(text, request).read();
     const Columns columns = columns_of(table, request.dimension);
     if (columns.coordinates != Coordinates::none) return read_columns(table, columns, request);

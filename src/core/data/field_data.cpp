@@ -239,4 +239,31 @@ std::size_t find_index(std::int64_t index, std::size_t count, std::string_view w
                      std::to_string(count - 1) + " (-1 is the last)");
 }
 
+std::size_t find_time(const FieldRequest& request, std::size_t count) {
+    const bool after = !request.time_ends && count > 0 && request.time >= 0 &&
+                       static_cast<std::uint64_t>(request.time) >= count;
+    return after ? count - 1 : find_index(request.time, count, "time");
+}
+
+FieldData interpolated(FieldData a, const FieldData& b, double weight) {
+    const auto same_points = [&] {
+        if (a.data.index() != b.data.index()) return false;
+        if (const auto* grid = std::get_if<GridData>(&a.data))
+            return grid->axes == std::get<GridData>(b.data).axes;
+        return std::get<ScatteredData>(a.data).points == std::get<ScatteredData>(b.data).points;
+    };
+    if (!same_points())
+        throw InputError("the points of '" + a.variable +
+                         "' differ from one time step to the next, so that "
+                         "there are no values between them");
+    const std::vector<double>& next = values_of(b);
+    std::visit(
+        [&](auto& data) {
+            for (std::size_t i = 0; i < data.values.size(); ++i)
+                data.values[i] = (1 - weight) * data.values[i] + weight * next[i];
+        },
+        a.data);
+    return a;
+}
+
 } // namespace gaspard

@@ -55,6 +55,7 @@ struct FieldRequest {
     std::stop_token stop{};
     /// 3: grids with three directions are read whole, and `level` is not used; others are as for 2.
     std::size_t dimension = 2;
+    bool time_ends = true; ///< false: after the last step it goes on as it is
 };
 /// For loops over long data: reports progress; throws Interrupted if asked to stop.
 void check_stop(const FieldRequest& request, double done);
@@ -91,5 +92,9 @@ GridData with_sorted_axes(GridData grid);
 std::size_t find_variable(std::string_view variable, const std::vector<std::string>& names);
 /// An index along `what` ("time") of `count` entries. Throws InputError if it is out of range.
 std::size_t find_index(std::int64_t index, std::size_t count, std::string_view what);
+/// The step of the request, of `count`. Throws InputError if there is none.
+std::size_t find_time(const FieldRequest& request, std::size_t count);
+/// (1 - weight) a + weight b, for two steps of one variable. Throws InputError if their points differ.
+FieldData interpolated(FieldData a, const FieldData& b, double weight);
 
 } // namespace GASPARD_API

@@ -166,7 +166,7 @@ class Slice {
             if (length == 0) throw InputError("'" + variable.name + "' is empty along '" + name + "'");
             const Axis axis = axis_of_dimension(file, variable.dimensions[d]);
             if (axis == Axis::time && !time_used) {
-                start[d] = find_index(request.time, length, "time"), time_used = true;
+                start[d] = find_time(request, length), time_used = true;
             } else if (!level_used && (axis == Axis::z || length > 1)) {
                 start[d] = find_index(request.level, length, "level"), level_used = true;
             } else if (length > 1) {
@@ -174,7 +174,7 @@ class Slice {
                                 " entries is used.");
             }
         }
-        if (!time_used) find_index(request.time, 1, "time");
+        if (!time_used) find_time(request, 1);
         if (!level_used) find_index(request.level, 1, "level");
     }
 

@@ -223,7 +223,7 @@ std::size_t checked_product(std::size_t a, std::size_t b, std::size_t c, std::st
 }
 
 FieldData vtk_field(const VtkFile& file, const FieldRequest& request) {
-    find_index(request.time, 1, "time");
+    find_time(request, 1);
     if (file.arrays.empty()) throw InputError("it has no arrays of numbers at points or cells");
     FieldData field{{}, names_of(file), {}, {}};
     const std::size_t chosen = find_variable(request.variable, field.variables);

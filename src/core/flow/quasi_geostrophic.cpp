@@ -257,11 +257,12 @@ double QuasiGeostrophicFlow::stable_step() {
     return rate > 0 ? options_.courant / rate : std::numeric_limits<double>::infinity();
 }
 
-std::size_t QuasiGeostrophicFlow::advance(double duration) {
+std::size_t QuasiGeostrophicFlow::advance(double duration, const std::stop_token& stop) {
     GASPARD_CHECK(duration >= 0 && std::isfinite(duration));
     const double end = time_ + duration;
     std::size_t steps = 0;
     for (double left = duration; left > 0; left = end - time_) {
+        if (stop.stop_requested()) throw Interrupted();
         const double count = std::ceil(left / stable_step());
         if (!(count + static_cast<double>(steps) <= static_cast<double>(options_.most_steps)))
             throw InputError("the flow would need more than " + std::to_string(options_.most_steps) +

@@ -24,6 +24,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace gaspard {
@@ -51,8 +52,8 @@ class QuasiGeostrophicFlow {
     void step(double dt);
     /// Advances by `duration` >= 0. Before each step the rest is divided into equal steps, as few as the
     /// Courant number allows. Returns the number of steps. Throws InputError if the flow is so fast that more
-    /// than FlowOptions::most_steps would be needed.
-    std::size_t advance(double duration);
+    /// than FlowOptions::most_steps would be needed, and Interrupted if asked to stop.
+    std::size_t advance(double duration, const std::stop_token& stop = {});
 
     /// psi at the n x n nodes (i / n, j / n), x fastest, without the part of U.
     std::span<const double> psi();

@@ -44,5 +44,8 @@ std::shared_ptr<const FieldData> read_field(const Values& values, const DataCont
 /// The rows of a file and of the options without blur, and the options of such rows.
 std::vector<ParameterRow> field_rows(const Space& space);
 FieldOptions field_options(const Values& values);
+/// One of these rows, which sources of computed fields have as well.
+ParameterRow field_transform_row();
+FieldTransform field_transform(const Values& values);
 
 } // namespace gaspard

@@ -4,6 +4,7 @@
 #include "core/data/field_file.hpp"
 #include "core/function/field_function.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace gaspard {
@@ -14,6 +15,24 @@ static std::size_t memory_of(const FieldData& field) {
     return sizeof field + numbers * sizeof(double);
 }
 
+/// One time step of a variable.
+static std::shared_ptr<const FieldData> read_step(const std::string& file, const FieldRequest& request,
+                                                  const DataContext& context) {
+    const std::function<std::shared_ptr<const FieldData>()> read = [&] {
+        request.progress(0);
+        return std::make_shared<const FieldData>(
+            parse_field(read_data_file(file, context.folder), data_file_name(file, context.folder), request));
+    };
+    if (!context.files) return read();
+    const std::string name = is_data_uri(file) ? file : data_file_name(file, context.folder);
+    std::string purpose = "field";
+    for (const std::int64_t number :
+         {request.time, request.level, static_cast<std::int64_t>(request.dimension),
+          std::int64_t{request.time_ends}})
+        purpose += ' ' + std::to_string(number);
+    return context.files->get<FieldData>(name, purpose + ' ' + request.variable, read, &memory_of);
+}
+
 std::shared_ptr<const FieldData> read_field(const Values& values, const DataContext& context) {
     const std::string& file = values.text("file");
     if (file.empty())
@@ -21,24 +40,40 @@ std::shared_ptr<const FieldData> read_field(const Values& values, const DataCont
     const auto report = [&](double done) {
         if (context.progress) context.progress(done, "Reading the field");
     };
-    const FieldRequest request{values.text("variable"),
-                               values.integer("time"),
-                               values.has("level") ? values.integer("level") : 0,
-                               report,
-                               context.stop,
-                               context.space.solid ? std::size_t{3} : std::size_t{2}};
-    const std::function<std::shared_ptr<const FieldData>()> read = [&] {
-        report(0);
-        return std::make_shared<const FieldData>(
-            parse_field(read_data_file(file, context.folder), data_file_name(file, context.folder), request));
-    };
-    if (!context.files) return read();
-    const std::string name = is_data_uri(file) ? file : data_file_name(file, context.folder);
-    return context.files->get<FieldData>(name,
-                                         "field " + std::to_string(request.time) + ' ' +
-                                             std::to_string(request.level) + ' ' +
-                                             std::to_string(request.dimension) + ' ' + request.variable,
-                                         read, &memory_of);
+    FieldRequest request{values.text("variable"),
+                         values.integer("time"),
+                         values.has("level") ? values.integer("level") : 0,
+                         report,
+                         context.stop,
+                         context.space.solid ? std::size_t{3} : std::size_t{2}};
+    const auto moment = values.real_or_auto("moment");
+    if (!moment) return read_step(file, request, context);
+    const double step = std::floor(*moment), weight = *moment - step;
+    request.time_ends = false;
+    request.time = static_cast<std::int64_t>(step);
+    const auto before = read_step(file, request, context);
+    if (weight == 0) return before;
+    ++request.time;
+    return std::make_shared<const FieldData>(
+        interpolated(*before, *read_step(file, request, context), weight));
+}
+
+ParameterRow field_transform_row() {
+    return {.key = "transform",
+            .label = "Transform",
+            .kind = ParameterKind::choice,
+            .default_value = std::string("none"),
+            .choices = {"none", "absolute", "square", "logarithm"},
+            .help = "what is done to the values: nothing, the absolute value, the square, or the logarithm "
+                    "(base 10)"};
+}
+
+FieldTransform field_transform(const Values& values) {
+    const std::string& transform = values.text("transform");
+    return transform == "absolute"    ? FieldTransform::absolute
+           : transform == "square"    ? FieldTransform::square
+           : transform == "logarithm" ? FieldTransform::logarithm
+                                      : FieldTransform::none;
 }
 
 std::vector<ParameterRow> field_rows(const Space& space) {
@@ -64,6 +99,18 @@ std::vector<ParameterRow> field_rows(const Space& space) {
          .slider = SliderRange{0, 20},
          .default_value = std::int64_t{0},
          .help = "index of the time step, from 0; -1: the last"},
+        {.key = "moment",
+         .label = "Moment",
+         .symbol = "t",
+         .kind = ParameterKind::real_or_auto,
+         .minimum = 0,
+         .maximum = most,
+         .slider = SliderRange{0, 20},
+         .default_value = std::string("auto"),
+         .help = "a time in time steps of the file: between them, values are interpolated; the clock sets it "
+                 "while time passes; auto: the step 'time'",
+         .role = ParameterRole::time,
+         .detail = true},
         {.key = "level",
          .label = "Level",
          .kind = ParameterKind::integer,
@@ -72,14 +119,7 @@ std::vector<ParameterRow> field_rows(const Space& space) {
          .slider = SliderRange{0, 20},
          .default_value = std::int64_t{0},
          .help = "index of the level (height, depth, z), from 0; -1: the last"},
-        {.key = "transform",
-         .label = "Transform",
-         .kind = ParameterKind::choice,
-         .default_value = std::string("none"),
-         .choices = {"none", "absolute", "square", "logarithm"},
-         .help =
-             "what is done to the values: nothing, the absolute value, the square, or the logarithm (base "
-             "10)"},
+        field_transform_row(),
         {.key = "missing",
          .label = "Missing values",
          .kind = ParameterKind::choice,
@@ -102,13 +142,9 @@ std::vector<ParameterRow> field_rows(const Space& space) {
 }
 
 FieldOptions field_options(const Values& values) {
-    const std::string &transform = values.text("transform"), &missing = values.text("missing"),
-                      &placement = values.text("placement");
+    const std::string &missing = values.text("missing"), &placement = values.text("placement");
     FieldOptions options;
-    options.transform = transform == "absolute"    ? FieldTransform::absolute
-                        : transform == "square"    ? FieldTransform::square
-                        : transform == "logarithm" ? FieldTransform::logarithm
-                                                   : FieldTransform::none;
+    options.transform = field_transform(values);
     options.missing = missing == "floor"   ? MissingValues::lowest
                       : missing == "error" ? MissingValues::error
                                            : MissingValues::nearest;

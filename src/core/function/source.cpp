@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/base/join.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace gaspard {
@@ -10,10 +11,18 @@ namespace gaspard {
 SourceType formula_source();
 SourceType image_source();
 SourceType field_source();
+SourceType flow_source();
 
 const std::vector<SourceType>& source_types() {
-    static const std::vector<SourceType> all = {formula_source(), image_source(), field_source()};
+    static const std::vector<SourceType> all = {formula_source(), image_source(), field_source(),
+                                                flow_source()};
     return all;
+}
+
+bool is_offered(const SourceType& type, const Space& space) {
+    return (type.solids || !space.solid) &&
+           (type.spaces.empty() ||
+            std::find(type.spaces.begin(), type.spaces.end(), space.kind) != type.spaces.end());
 }
 
 const SourceType& source_type(std::string_view name) {

@@ -38,8 +38,12 @@ struct SourceType {
     /// Further rows that depend on the values of `rows`, such as the parameters of a formula; a row on which
     /// they depend has the role defines_rows. Throws InputError if the values are invalid. May be empty.
     std::function<std::vector<ParameterRow>(const Values&, const Space&)> further_rows{};
-    bool solids = true; ///< offered on solids
+    bool solids = true;              ///< offered on solids
+    std::vector<SpaceKind> spaces{}; ///< offered on these alone; empty: all
 };
+
+/// Whether a source is offered on a domain.
+bool is_offered(const SourceType& type, const Space& space);
 
 /// All sources, in the order in which users see them.
 const std::vector<SourceType>& source_types();

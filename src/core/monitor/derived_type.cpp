@@ -132,7 +132,7 @@ Values source_values(const Values& values, const Space& space) {
 std::vector<ParameterRow> derived_rows(const Space& space) {
     std::vector<std::string> names;
     for (const SourceType& type : source_types())
-        if (type.solids || !space.solid) names.push_back(type.name);
+        if (is_offered(type, space)) names.push_back(type.name);
     return {{.key = "u.type",
              .label = "u from",
              .kind = ParameterKind::choice,

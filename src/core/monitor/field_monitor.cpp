@@ -8,6 +8,7 @@
 #include "core/function/density_rows.hpp"
 #include "core/function/field_function.hpp"
 #include "core/function/image_function.hpp"
+#include "core/monitor/field_density.hpp"
 #include "core/monitor/grid_density.hpp"
 
 #include <algorithm>
@@ -41,32 +42,16 @@ void check_density(const std::vector<double>& values, double floor, const std::s
                          ".floor to a positive number, or " + section + ".density = \"scaled\"");
 }
 
-std::shared_ptr<const Monitor> make(const FieldData& field, FieldMonitorOptions options,
-                                    const DataContext& context, const std::string& section) {
-    const double asked = options.field.blur;
-    options.field.blur = std::max(asked, least_blur);
-    FieldGrid made = field_grid(field, options.field, context);
-    const DomainGrid domain = domain_on(made.grid, context);
-    go_on_beside(domain, made.values);
-    if (options.scaled) {
-        scale(made.values, options, made.notes);
-        to_density(made.values, options.contrast);
-    } else {
-        check_density(made.values, options.floor, section);
-        for (double& value : made.values) value = std::max(value, options.floor);
-    }
-    made.sigma = blur_density(domain, made.values, made.sigma, context);
-    const double cells = made.sigma / made.cell;
-    const std::string instead = cells > asked * 1.005 ? " instead of " + exact_number(asked) : "";
-    made.notes.push_back("The field is blurred over " + in_cells(cells) + instead +
-                         ", so that the mesh can follow.");
-    MonitorReport report{std::move(made.notes), {{"variable", field.variables}}};
-    return grid_density(std::move(made.grid), std::move(made.values), std::move(report), context.space.kind);
-}
-
 std::vector<ParameterRow> monitor_rows(const Space& space) {
     std::vector<ParameterRow> rows = field_rows(space);
-    const std::vector<ParameterRow> more = {
+    for (ParameterRow& row : field_density_rows()) rows.push_back(std::move(row));
+    return rows;
+}
+
+} // namespace
+
+std::vector<ParameterRow> field_density_rows() {
+    std::vector<ParameterRow> rows = {
         {.key = "density",
          .label = "Density",
          .kind = ParameterKind::choice,
@@ -85,31 +70,54 @@ std::vector<ParameterRow> monitor_rows(const Space& space) {
          .default_value = 0.0,
          .help = "lower values count as this one: scaled values, from 0 to 1, or values of the field"},
         blur_row()};
-    rows.insert(rows.end(), more.begin(), more.end());
     rows.back().unit = "cells"; // of the blur
     return rows;
 }
 
-FieldMonitorOptions field_options_of(const Values& values) {
-    FieldMonitorOptions options{field_options(values),   values.text("density") == "scaled",
-                                values.real("contrast"), values.boolean("invert"),
-                                values.real("gamma"),    values.real("floor")};
-    options.field.blur = values.real("blur");
-    return options;
+FieldMonitorOptions field_density_options(const Values& values, FieldOptions field) {
+    field.blur = values.real("blur");
+    return {field,
+            values.text("density") == "scaled",
+            values.real("contrast"),
+            values.boolean("invert"),
+            values.real("gamma"),
+            values.real("floor")};
 }
 
-} // namespace
+std::shared_ptr<const Monitor> field_density(const FieldData& field, FieldMonitorOptions options,
+                                             const DataContext& context, const std::string& section) {
+    const double asked = options.field.blur;
+    options.field.blur = std::max(asked, least_blur);
+    FieldGrid made = field_grid(field, options.field, context);
+    const DomainGrid domain = domain_on(made.grid, context);
+    go_on_beside(domain, made.values);
+    if (options.scaled) {
+        scale(made.values, options, made.notes);
+        to_density(made.values, options.contrast);
+    } else {
+        check_density(made.values, options.floor, section);
+        for (double& value : made.values) value = std::max(value, options.floor);
+    }
+    made.sigma = blur_density(domain, made.values, made.sigma, context);
+    const double cells = made.sigma / made.cell;
+    const std::string instead = cells > asked * 1.005 ? " instead of " + exact_number(asked) : "";
+    made.notes.push_back("The field is blurred over " + in_cells(cells) + instead +
+                         ", so that the mesh can follow.");
+    MonitorReport report{std::move(made.notes)};
+    if (!field.variables.empty()) report.choices["variable"] = field.variables;
+    return grid_density(std::move(made.grid), std::move(made.values), std::move(report), context.space.kind);
+}
 
 std::shared_ptr<const Monitor> field_monitor(const FieldData& field, const FieldMonitorOptions& options,
                                              const DataContext& context) {
-    return make(field, options, context, "monitor");
+    return field_density(field, options, context, "monitor");
 }
 
 std::shared_ptr<const Monitor> field_monitor(const std::string& file, const FieldRequest& request,
                                              const FieldMonitorOptions& options, const DataContext& context) {
     const FieldData field =
         parse_field(read_data_file(file, context.folder), data_file_name(file, context.folder), request);
-    return make(field, options, context, "monitor");
+    return field_density(field, options, context, "monitor");
 }
 
 MonitorType field_file_monitor() {
@@ -119,8 +127,9 @@ MonitorType field_file_monitor() {
             .equation = "m(x) = 1 + (C - 1) ((u - low) / (high - low))^γ, blurred",
             .rows = &monitor_rows,
             .make = [](const Values& values, const MonitorContext& context) {
-                return make(*read_field(values, context), field_options_of(values), context,
-                            values.section());
+                return field_density(*read_field(values, context),
+                                     field_density_options(values, field_options(values)), context,
+                                     values.section());
             }};
 }
 

@@ -19,6 +19,8 @@ MonitorType sine_waves_monitor();
 MonitorType typed_formula_monitor();
 MonitorType image_file_monitor();
 MonitorType field_file_monitor();
+MonitorType flow_monitor_type();
+MonitorType burgers_monitor_type();
 MonitorType derived_monitor_type();
 MonitorType combined_monitor_type();
 MonitorType layer_monitor_type();
@@ -43,6 +45,8 @@ std::vector<MonitorType> monitor_types() {
             typed_formula_monitor(),
             image_file_monitor(),
             field_file_monitor(),
+            flow_monitor_type(),
+            burgers_monitor_type(),
             derived_monitor_type(),
             combined_monitor_type(),
             layer_monitor_type(),

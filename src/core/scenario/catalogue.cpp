@@ -58,6 +58,13 @@ Capability plane_capability() {
             .problem = problem_on<PlaneEquation, PlaneQ2>};
 }
 
+/// Flows are periodic.
+Capability flow_capability() {
+    Capability row = plane_capability();
+    row.boundaries = {"periodic"}, row.monitors = {"flow"};
+    return row;
+}
+
 Capability sphere_capability(const DomainType& type, SphereGrid (*grid)(const Values&)) {
     return {.domain = type.name,
             .boundaries = {},
@@ -109,7 +116,7 @@ Capability solid_capability(const std::string& domain_type) {
 Capability interval_capability() {
     return {.domain = "interval",
             .boundaries = {},
-            .monitors = {"layer", "two-layers", "constant", "formula"},
+            .monitors = {"layer", "two-layers", "constant", "formula", "burgers"},
             .methods = {"mesh-pde", "bakhvalov", "shishkin", "equidistribute", "solution-adapted"},
             .prepare = [](const PrepareContext& context) -> std::shared_ptr<const Discretisation> {
                 return make_interval(context.scenario.domain.values);
@@ -185,6 +192,7 @@ Catalogue builtin_catalogue() {
     catalogue.capabilities.push_back(quadrilateral_capability());
     catalogue.domains.push_back(transport_domain());
     catalogue.capabilities.push_back(transport_capability());
+    catalogue.capabilities.push_back(flow_capability());
     return catalogue;
 }
 
@@ -267,10 +275,13 @@ const Capability* find_capability(const Catalogue& catalogue, const Scenario& sc
     std::string possible, boundary;
     for (const auto& row : catalogue.capabilities) {
         if (row.domain != scenario.domain.type) continue;
+        if (!row.boundaries.empty()) {
+            const std::string& present = scenario.domain.values.text("boundary");
+            boundary = " with boundary '" + present + "'";
+            if (!contains(row.boundaries, present)) continue;
+        }
         possible +=
             "; possible: monitors " + join(row.monitors, ", ") + " with methods " + join(row.methods, ", ");
-        if (!row.boundaries.empty())
-            boundary = " with boundary '" + scenario.domain.values.text("boundary") + "'";
     }
     throw InputError("monitor '" + scenario.monitor.type + "' and method '" + scenario.method.type +
                      "' cannot be combined on domain '" + scenario.domain.type + "'" + boundary + possible);

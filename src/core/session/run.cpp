@@ -417,6 +417,7 @@ void Run::measure(Course& course, StepReport& report, Diagnostics at_most) const
     if (interpolates(course)) next += static_cast<std::ptrdiff_t>(interpolation_series().size());
     if (course.shapes && level == Diagnostics::full) std::ranges::copy(shapes(course), next);
     if (course.shapes) next += static_cast<std::ptrdiff_t>(cell_quality_series().size());
+    if (course.following) next += static_cast<std::ptrdiff_t>(time_series().size());
     if (level == Diagnostics::full) {
         const std::vector<double> measures = course.method->measures(course.data);
         auto measure = measures.begin();

@@ -19,13 +19,15 @@ namespace gaspard {
 namespace {
 
 /// The prefix of a name and its group, in the order of the list.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 7> groups{{{"plane", "Plane"},
+constexpr std::array<std::pair<std::string_view, std::string_view>, 9> groups{{{"plane", "Plane"},
                                                                                {"walls", "Plane"},
+                                                                               {"front", "Plane"},
                                                                                {"flow", "Plane"},
                                                                                {"sphere", "Sphere"},
                                                                                {"spline", "Splines"},
                                                                                {"transport", "Transport"},
-                                                                               {"layer", "Layers"}}};
+                                                                               {"layer", "Layers"},
+                                                                               {"burgers", "Layers"}}};
 
 std::size_t place_of(std::string_view name) {
     for (std::size_t i = 0; i < groups.size(); ++i)

@@ -29,6 +29,12 @@ struct Maker {
 
 void write(const std::filesystem::path& file, const std::string& text) { std::ofstream(file) << text; }
 
+TEST(FileCache, KeepsWhatIsComputedFromNoFile) {
+    Maker maker;
+    maker.get("", "flow 1"), maker.get("", "flow 2"), maker.get("", "flow 1");
+    EXPECT_EQ(maker.made, 2);
+}
+
 TEST(FileCache, MakesAContentOncePerFileAndPurpose) {
     const TemporaryFolder folder;
     const auto file = folder.path() / "a.txt";

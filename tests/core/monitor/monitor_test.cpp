@@ -206,14 +206,18 @@ void randomise(Values& values, std::mt19937& random) {
 TEST(Monitors, ArePositiveForAllParametersInRange) {
     std::mt19937 random(4);
     const Points x = random_points(200, -1, 2, 5);
-    ASSERT_EQ(monitor_types().size(), 22u);
-    const std::set<std::string> slow = {"image", "derived", "combine"}; // they are sampled and smoothed
+    ASSERT_EQ(monitor_types().size(), 24u);
+    // Those that are sampled and smoothed, or computed.
+    const std::set<std::string> slow = {"image", "derived", "combine", "flow", "burgers"};
     for (const MonitorType& type : monitor_types())
         for (int trial = 0; trial < (slow.count(type.name) == 1 ? sanitized ? 1 : 4 : 200); ++trial)
             for (const Space& space : {flat, periodic, round}) {
                 Values values = default_values(type, space);
                 randomise(values, random);
                 if (type.name == "field" || !type.make) continue; // a file of values; a tensor monitor
+                for (const auto& [key, few] : {std::pair{"cells", 50}, {"t", 0}}) // of what is computed
+                    if (slow.contains(type.name) && values.has(key))
+                        values.set(key, std::int64_t{few});
                 for (const char* key : {"eps", "eps1", "eps2"})   // of a problem, where they are automatic
                     if (values.has(key) && !values.real_or_auto(key)) values.set(key, 1e-3);
                 if (type.name == "image") values.set("file", std::string("gaspard:portrait.png"));

@@ -30,7 +30,7 @@ class ScenarioTest : public testing::Test {
 
 TEST_F(ScenarioTest, EveryBuiltinScenarioPassesAndPinsMethodAndStep) {
     const auto builtins = builtin_scenarios();
-    ASSERT_EQ(builtins.size(), 49u);
+    ASSERT_EQ(builtins.size(), 55u);
     for (const auto& builtin : builtins) {
         const Scenario scenario = find_scenario(catalogue, std::string(builtin.name));
         EXPECT_EQ(scenario.name, builtin.name);
@@ -188,6 +188,18 @@ TEST_F(ScenarioTest, ReservedNamesAreErrorsOfTheirOwn) {
     expect_in("is reserved", message_of([&] { apply_settings(catalogue, scenario, {"pde.epsilon=1"}); }));
     expect_in("is reserved",
               message_of([&] { apply_settings(catalogue, scenario, {"domain.target.type=disk"}); }));
+}
+
+TEST_F(ScenarioTest, FlowsNeedThePeriodicPlane) {
+    Scenario scenario = find_scenario(catalogue, "flow-live");
+    EXPECT_NO_THROW(check(catalogue, scenario));
+    apply_settings(catalogue, scenario, {"domain.boundary=walls"});
+    const std::string message = message_of([&] { check(catalogue, scenario); });
+    expect_in(
+        "monitor 'flow' and method 'newton' cannot be combined on domain 'plane' with boundary 'walls'; "
+        "possible: monitors ring",
+        message);
+    EXPECT_EQ(message.find("flow with"), std::string::npos) << message;
 }
 
 TEST_F(ScenarioTest, SettingsAreChecked) {
