@@ -6,6 +6,7 @@
 //
 // where s*(t) is the map for the monitor at time t, in the first line approximated by one iteration. If a
 // step is not solved, it begins again from s_{k-1}, then goes there in 2, 4 or 8 parts.
+#include "core/base/stopwatch.hpp"
 #include "core/scenario/time_rows.hpp"
 #include "core/session/following.hpp"
 #include "core/session/run.hpp"
@@ -113,6 +114,7 @@ class Run::TimeStep {
         Evaluation evaluation; ///< of the course's state
         int iterations = 0, inner_iterations = 0;
         bool solved = false;
+        double monitor_seconds = 0;
         std::vector<StepTolerance::Sample> samples{}; ///< if asked for: at least one
     };
 
@@ -121,6 +123,13 @@ class Run::TimeStep {
           rule_(time_.text("rule")) {}
 
     Mesh make(const Following& following) {
+        Mesh mesh = follow(following);
+        mesh.monitor_seconds = monitor_seconds_;
+        return mesh;
+    }
+
+  private:
+    Mesh follow(const Following& following) {
         const double from = following.before_time, to = following.time();
         const State before = course_.state;
         const bool samples = rule_ == time_rule::equidistribution && following.tolerance->learns();
@@ -145,7 +154,6 @@ class Run::TimeStep {
         return mesh;
     }
 
-  private:
     /// Tells the method how far it is to solve, as long as this lives.
     class LooserMethod {
       public:
@@ -166,9 +174,11 @@ class Run::TimeStep {
 
     /// The data of the problem at a time.
     void set_time(const Following& following, double t) {
+        const Stopwatch watch;
         course_.data = make_problem_data(*run_.catalogue_, following.clock->at(t), course_.own,
                                          run_.monitor_context(course_, {}, stop_));
         course_.data.stop = stop_;
+        monitor_seconds_ += watch.seconds();
     }
 
     /// What the criterion must be below.
@@ -250,6 +260,7 @@ class Run::TimeStep {
     std::stop_token stop_;
     const Values& time_;
     const std::string& rule_;
+    double monitor_seconds_ = 0;
 };
 
 /// The next time step, as a row of the history.
@@ -300,6 +311,7 @@ const StepReport& Run::advance(std::stop_token stop, int time_steps) {
     take_series(next, mesh.evaluation.series, report);
     add_time(next, report);
     report.set(time_names::iterations, mesh.iterations);
+    report.set(time_names::monitor, mesh.monitor_seconds);
     report.set(time_names::speed, fastest(next.method->positions(), *following->before,
                                           following->time() - following->before_time));
     const auto every = next.problem.scenario.method.values.integer("diagnostics_every");

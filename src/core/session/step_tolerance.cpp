@@ -6,7 +6,7 @@
 namespace gaspard {
 
 namespace {
-constexpr double margin = 3;    // for what changes until a step learns again
+constexpr double margin = 4;    // for what changes until a step learns again
 constexpr double loosest = 0.1; // residual: beyond it, iterations need not converge
 }
 

@@ -5,9 +5,9 @@
 // residual r and e. With the smallest c for which |e - e_s| <= c r holds for all of them, or half of the one
 // before if that is larger, the others are solved when
 //
-//   r < (f - 1) e_s / (3 c)
+//   r < (f - 1) e_s / (4 c)
 //
-// where 3 is for what changes until the next such step.
+// where 4 is for what changes until the next such step.
 #pragma once
 
 #include <vector>
@@ -34,7 +34,7 @@ class StepTolerance {
     double value() const { return value_; }
 
   private:
-    static constexpr int shortest = 8, longest = 64; ///< periods in time steps
+    static constexpr int shortest = 8, longest = 32; ///< periods in time steps
     double factor_, smallest_;
     double value_ = 0, solved_ = 0, slope_ = 0;
     int steps_ = 0, period_ = 0;

@@ -14,7 +14,11 @@ std::vector<SeriesInfo> time_series() {
             {.name = time_names::speed,
              .label = "Mesh speed",
              .symbol = "max |∂x/∂t|",
-             .help = "of the fastest node, from the time before"}};
+             .help = "of the fastest node, from the time before"},
+            {.name = time_names::monitor,
+             .label = "Time for the monitor",
+             .unit = "s",
+             .help = "wall time to make the monitor of the time step: files, flows"}};
 }
 
 std::vector<FieldInfo> velocity_fields(int dimension) {

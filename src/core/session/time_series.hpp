@@ -9,10 +9,11 @@
 namespace gaspard {
 
 namespace time_names {
-inline constexpr const char *time = "time", *iterations = "step_iterations", *speed = "mesh_speed";
+inline constexpr const char *time = "time", *iterations = "step_iterations", *speed = "mesh_speed",
+                            *monitor = "monitor_seconds";
 }
 
-/// Time, iterations of the time step, speed of the fastest node.
+/// Time, iterations of the time step, speed of the fastest node, wall time for the monitor.
 std::vector<SeriesInfo> time_series();
 /// The velocity of the nodes: its length, and its components in so many dimensions.
 std::vector<FieldInfo> velocity_fields(int dimension);

@@ -48,12 +48,12 @@ TEST(StepTolerance, AllowsWhatTheSamplesShow) {
     StepTolerance tolerance(1.05, 1e-8);
     EXPECT_TRUE(tolerance.learns()) << "the first step";
     tolerance.learn({{1e-1, 0.3}, {1e-2, 0.12}, {1e-9, 0.1}}); // |e - 0.1| <= 2 r
-    EXPECT_NEAR(tolerance.value(), 0.05 * 0.1 / (3 * 2), 1e-12);
+    EXPECT_NEAR(tolerance.value(), 0.05 * 0.1 / (4 * 2), 1e-12);
     EXPECT_FALSE(tolerance.learns());
     for (int i = 0; i < 8; ++i) tolerance.pass();
     EXPECT_TRUE(tolerance.learns()) << "from time to time";
     tolerance.learn({{1e-1, 0.101}, {1e-9, 0.1}});
-    EXPECT_NEAR(tolerance.value(), 0.05 * 0.1 / (3 * 1), 1e-12) << "half of what was seen before";
+    EXPECT_NEAR(tolerance.value(), 0.05 * 0.1 / (4 * 1), 1e-12) << "half of what was seen before";
     EXPECT_FALSE(tolerance.learns());
     tolerance.check(0.1049);
     EXPECT_FALSE(tolerance.learns());
