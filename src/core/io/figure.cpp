@@ -20,6 +20,11 @@ std::vector<SvgPanel> panels_of(const Snapshot& snapshot, const Values& view) {
     std::vector<SvgPanel> panels;
     if (layout == "computational") computational.title.clear();
     if (layout == "computational" || layout == "side-by-side") panels.push_back(std::move(computational));
+    if (layout == "field-and-mesh") {
+        if (shown.colouring) shown.title = shown.colouring->label;
+        panels.push_back({shown.title, blend, shown.colouring});
+        shown.title = "mesh", shown.colouring.reset();
+    }
     if (layout != "computational") panels.push_back(std::move(shown));
     return panels;
 }

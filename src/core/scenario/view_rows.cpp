@@ -47,13 +47,14 @@ ParameterRow text(const char* key, const char* label, const char* help) {
 }
 
 ParameterRow layout_row() {
-    ParameterRow row =
-        choice("layout", "Layout",
-               {"single", "computational", "side-by-side", "front-and-rear", "projection", "runs"},
-               "single: one mesh, by default the physical one; computational: the computational mesh "
-               "with the same values; side-by-side: both; front-and-rear: a mesh in space from both sides; "
-               "projection: a sphere in Hammer's equal-area projection; runs: in the window, the meshes of "
-               "all runs");
+    ParameterRow row = choice(
+        "layout", "Layout",
+        {"single", "computational", "side-by-side", "field-and-mesh", "front-and-rear", "projection", "runs"},
+        "single: one mesh, by default the physical one; computational: the computational mesh "
+        "with the same values; side-by-side: both; field-and-mesh: the colours and the mesh without them, "
+        "beside each other; front-and-rear: a mesh in space from both sides; "
+        "projection: a sphere in Hammer's equal-area projection; runs: in the window, the meshes of "
+        "all runs");
     row.former_choices = {{"map", "projection"}};
     return row;
 }

@@ -288,13 +288,15 @@ std::vector<Action> Application::layout_actions() {
     std::vector<Action> rows = {
         layout_action("side-by-side", "Side by side", "B",
                       "Show the computational and the physical mesh side by side, or only one."),
+        layout_action("field-and-mesh", "Field and mesh", "Ctrl+B",
+                      "Show the colours and the mesh without them beside each other, or only one picture."),
         layout_action("runs", "Meshes of all runs", "V",
                       "Show the meshes of all runs side by side, or only the current one."),
         layout_action("front-and-rear", "Front and rear", "F",
                       "Show a mesh in space from both sides, or only from one."),
         layout_action("projection", "Projection", "M",
                       "Show the sphere as an equal-area projection, or as a globe.")};
-    Action &runs = rows[1], &rear = rows[2], &projection = rows[3];
+    Action &runs = rows[2], &rear = rows[3], &projection = rows[4];
     runs.enabled = [this] { return action("runs").is_checked() || !runs_beside().empty(); };
     runs.reason = [this]() -> std::string {
         if (document_.runs().size() > 1)

@@ -181,10 +181,16 @@ MeshScene ViewportPlanner::computational(const MeshScene& scene, const Snapshot&
     return left;
 }
 
+/// What its colours show.
+static std::string field_title(const MeshScene& scene) {
+    return scene.colouring ? scene.colouring->label : "no colours";
+}
+
 void ViewportPlanner::place_views(const MeshScene& scene, const Snapshot& snapshot, const Values& view,
                                   ViewportPlan& plan, float scale) {
     const std::string layout = layout_of(scene, view);
-    if (layout != "side-by-side" && layout != "front-and-rear") {
+    const bool apart = layout == "field-and-mesh";
+    if (layout != "side-by-side" && layout != "front-and-rear" && !apart) {
         const MeshScene shown = layout == "projection"
                                     ? projection_maker_.make(scene, view.real("projection_longitude"))
                                 : layout == "computational" ? computational(scene, snapshot, view)
@@ -200,10 +206,20 @@ void ViewportPlanner::place_views(const MeshScene& scene, const Snapshot& snapsh
         available.max.x -= std::round(legend_width(*plan.colouring, plan.histogram, scale));
     const auto [first, second] = halves(available);
     const bool around = layout == "front-and-rear";
-    PlannedView left{
-        around ? scene : computational(scene, snapshot, view), {}, first, around ? "front" : "computational"};
+    PlannedView left{around || apart ? scene : computational(scene, snapshot, view),
+                     {},
+                     first,
+                     around  ? "front"
+                     : apart ? field_title(scene)
+                             : "computational"};
+    if (apart) left.scene.lines = false, left.scene.tangled = nullptr, left.scene.arrows = nullptr;
     left.camera = camera_of(scene, view, size_of(first), insets_of_part(plan, left, scale), plan.complaint);
-    PlannedView right{scene, left.camera, second, around ? "rear" : blend_title(scene.blend)};
+    PlannedView right{scene, left.camera, second,
+                      around  ? "rear"
+                      : apart ? "mesh"
+                              : blend_title(scene.blend)};
+    if (apart)
+        right.scene.colouring = nullptr, right.scene.point_values = nullptr, right.scene.contours = nullptr;
     if (around) right.camera = from_behind(left.camera, pivot_of(scene)), right.rear = true;
     plan.views = {std::move(left), std::move(right)};
 }

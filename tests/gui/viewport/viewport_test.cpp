@@ -41,6 +41,25 @@ TEST_F(ViewportTest, SideBySideIsTwoPicturesOfOneSizeSeenByOneCamera) {
     EXPECT_EQ(plan(ring_snapshot(8), view_).views.size(), 1U);
 }
 
+TEST_F(ViewportTest, FieldAndMeshAreApart) {
+    view_.set("layout", std::string("field-and-mesh"));
+    view_.set("blend", 0.5);
+    const ViewportPlan both = plan(ring_snapshot(8), view_);
+    ASSERT_EQ(both.views.size(), 2U);
+    const MeshScene &field = both.views[0].scene, &mesh = both.views[1].scene;
+    EXPECT_EQ(field.physical, mesh.physical) << "nothing is uploaded twice";
+    EXPECT_EQ(both.views[0].camera, both.views[1].camera);
+    EXPECT_EQ(field.blend, 0.5);
+    EXPECT_EQ(mesh.blend, 0.5);
+    EXPECT_NE(field.colouring, nullptr);
+    EXPECT_FALSE(field.lines);
+    EXPECT_EQ(mesh.colouring, nullptr);
+    EXPECT_TRUE(mesh.lines);
+    EXPECT_EQ(both.views[0].title, field.colouring->label);
+    EXPECT_EQ(both.views[1].title, "mesh");
+    EXPECT_NE(both.colouring, nullptr) << "the legend is that of the field";
+}
+
 TEST_F(ViewportTest, TheLegendOfTwoIsThatOfThePhysicalMesh) {
     Snapshot snapshot = ring_snapshot(8);
     const std::vector<double> errors(snapshot.mesh->cell_count(), 0.5);
