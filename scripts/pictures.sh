@@ -71,3 +71,9 @@ PYTHON
   done
 convert -delay 16 -loop 0 "$drawn"/frame*.png -colors 48 +dither -layers optimize "$here/docs/spline-moebius.gif"
 echo docs/spline-moebius.gif
+
+# A film of time steps; the ring goes once round the periodic square.
+"$gaspard" record plane-moving-ring --quiet --overwrite --set domain.cells=32 --set time.end=9.6 --set time.step=0.4 \
+  --set view.legend=false --set view.axes=false --set view.caption=false --size 260x260 --formats png --out "$drawn/ring"
+convert -delay 10 -loop 0 "$drawn"/ring/frames/0*.png -colors 24 +dither -layers optimize "$here/docs/moving-ring.gif"
+echo docs/moving-ring.gif

@@ -107,7 +107,8 @@ void add_record(CLI::App& app, RecordArguments& record) {
     add_settings(*command, record.settings);
     command
         ->add_option("--motion", record.motion,
-                     "What moves: iterations, turn, blend, camera, or several (default: iterations)")
+                     "What moves: iterations, time, turn, blend, camera, or several (default: "
+                     "iterations; where the scenario has time, time)")
         ->type_name("LIST");
     command
         ->add_option("--formats", record.formats,
@@ -116,7 +117,8 @@ void add_record(CLI::App& app, RecordArguments& record) {
         ->type_name("LIST");
     command
         ->add_option("--frames", record.frames,
-                     "Number of frames (default: one per iterate; 6 seconds of another motion)")
+                     "Number of frames (default: one per iterate or time step; 6 seconds of another "
+                     "motion)")
         ->type_name("N");
     command->add_option("--rate", record.rate, "Frames per second (default: 25; of iterates alone 10)")
         ->type_name("N");
