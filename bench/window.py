@@ -145,6 +145,14 @@ def main():
                 "method.step_size=0.001") as window:
         measure("hover over a button while n = 240 is solved", window, options.repeat, (1100, 4, 290, 26),
                 lambda i: window.move(1340 if i % 2 else 1250, 16))
+    with Window(options.program, "plane-moving-ring", "--set", "domain.cells=120", "--set", "time.step=0.01") as window:
+        window.until_still(mesh, rest=5)  # all 1000 time steps are recorded
+        window.move(800, 849), window.button(True)
+        measure("scrub, 1000 time steps, n = 120", window, options.repeat, mesh,
+                lambda i: window.move(560 + 130 * (2 * i % 5) + i, 849), settles=True)
+        window.button(False)
+    with Window(options.program, "flow-live") as window:
+        print("%-44s %.1f frames per second" % ("flow and mesh, n = 60", window.frames_per_second((330, 380, 240, 120))))
     globe = (500, 600, 200, 40)  # below the handles
     for scenario in ("sphere-x16", "sphere-cross"):
         with Window(options.program, scenario) as window:
