@@ -348,6 +348,8 @@ ProblemData make_problem_data(const Catalogue& catalogue, const Scenario& scenar
         add_notes(data, notes);
     }
     if (context.discretisation) add_notes(data, context.discretisation->notes());
+    if (!has_time(scenario.time) && has_motion(scenario.time))
+        add_notes(data, {"The monitor does not move: time.end is not after time.start."});
     if (!scenario.pde.type.empty()) {
         data.pde_type = scenario.pde.type;
         data.pde = std::make_shared<const Values>(scenario.pde.values);
@@ -357,7 +359,7 @@ ProblemData make_problem_data(const Catalogue& catalogue, const Scenario& scenar
 
 bool same_problem_data(const Scenario& a, const Scenario& b) {
     return a.domain == b.domain && a.monitor == b.monitor && a.source == b.source && a.pde == b.pde &&
-           a.folder == b.folder && same_motion(a.time, b.time);
+           a.folder == b.folder && same_time(a.time, b.time);
 }
 
 } // namespace gaspard

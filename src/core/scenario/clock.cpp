@@ -3,6 +3,7 @@
 #include "core/base/check.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number_text.hpp"
+#include "core/base/short_number.hpp"
 #include "core/function/expression.hpp"
 #include "core/scenario/time_rows.hpp"
 
@@ -15,9 +16,9 @@ namespace gaspard {
 
 namespace {
 
-constexpr int moments_checked = 256; // at which values are checked before a run begins
+constexpr int moments_checked = 2000; // at which values are checked before a run begins
 
-std::string at_time(double t) { return " at t = " + format_number(t); }
+std::string at_time(double t) { return " at t = " + short_number(t, 6); }
 
 /// Into the range of a periodic parameter.
 double wrapped(const ParameterRow& row, double value) {
@@ -33,7 +34,8 @@ const ParameterRow& row_of(const Values& values, const std::string& key) {
     return *row;
 }
 
-/// Cubic Hermite interpolation with slopes of the parabola through three neighbours; constant outside.
+/// Cubic Hermite interpolation with harmonic means of the secants as slopes (Fritsch, Butland, 1984), which
+/// stays between the places; constant outside.
 std::array<double, 3> on_path(const std::vector<PathPoint>& path,
                               const std::vector<std::array<double, 3>>& places, double t) {
     if (t <= path.front().t) return places.front();
@@ -49,8 +51,11 @@ std::array<double, 3> on_path(const std::vector<PathPoint>& path,
             };
             if (j == 0) return secant(0);
             if (j + 1 == path.size()) return secant(j - 1);
+            const double to_here = secant(j - 1), from_here = secant(j);
+            if (!(to_here * from_here > 0)) return 0.0;
             const double left = path[j].t - path[j - 1].t, right = path[j + 1].t - path[j].t;
-            return (right * secant(j - 1) + left * secant(j)) / (left + right);
+            const double first = 2 * right + left, second = right + 2 * left;
+            return (first + second) / (first / to_here + second / from_here);
         };
         const double a = places[i][k], b = places[i + 1][k];
         place[k] = a + s * s * (3 - 2 * s) * (b - a) +
@@ -60,6 +65,20 @@ std::array<double, 3> on_path(const std::vector<PathPoint>& path,
 }
 
 } // namespace
+
+/// Between two of them there must be a shortest way.
+static void check_places_on_sphere(const std::vector<PathPoint>& path) {
+    constexpr double farthest = 2.4; // radians; beyond, the way through the sphere is too uneven
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        if (std::abs(path[i].first) > 90)
+            throw InputError("time.path has the latitude " + short_number(path[i].first) +
+                             ", which must be −90 to 90");
+        if (i > 0 && angle_between(at_latitude_longitude(path[i - 1].first, path[i - 1].second),
+                                   at_latitude_longitude(path[i].first, path[i].second)) > farthest)
+            throw InputError("time.path has places far apart on the sphere" + at_time(path[i].t) +
+                             "; add places between them");
+    }
+}
 
 /// A parameter as a function of t.
 struct Clock::Motion {
@@ -114,6 +133,10 @@ Clock::Clock(const Catalogue& catalogue, Scenario scenario)
                          std::to_string(most_steps) + " steps from " + format_number(start_) + " to " +
                          format_number(end_));
     steps_ = std::max(1, static_cast<int>(count));
+    const double largest = std::max(std::abs(start_), std::abs(end_));
+    if (!(step_ > 1e-11 * largest))
+        throw InputError("time.step = " + short_number(step_) + " is too small for times of the size of " +
+                         short_number(largest));
     const Values& monitor = scenario_.monitor.values;
     on_sphere_ = space_of(catalogue, scenario_).kind == SpaceKind::sphere;
     for (const ParameterRow& row : monitor.rows())
@@ -144,18 +167,33 @@ Clock::Clock(const Catalogue& catalogue, Scenario scenario)
             throw InputError("time.path moves a point, and monitor '" + scenario_.monitor.type +
                              "' has none");
         first_key_ = first->key, second_key_ = second->key;
+        if (on_sphere_) check_places_on_sphere(path_);
+        for (const std::string& key : {first_key_, second_key_})
+            if (const std::string motion = std::string(moving_prefix) + key;
+                !scenario_.time.text(motion).empty())
+                throw InputError("time.path and time." + motion + " both move the monitor; leave one empty");
     }
+    Values values = scenario_.monitor.values;
     for (int i = 0; i <= std::min(steps_, moments_checked); ++i)
-        at(time(static_cast<int>(
-            std::lround(static_cast<double>(i) * steps_ / std::min(steps_, moments_checked)))));
+        move(values, time(static_cast<int>(
+                         std::lround(static_cast<double>(i) * steps_ / std::min(steps_, moments_checked)))));
 }
 
 Clock::~Clock() = default;
 
-double Clock::time(int k) const { return k >= steps_ ? end_ : start_ + k * step_; }
+/// Without the rounding of the sum: 0.3, not 0.30000000000000004.
+double Clock::time(int k) const {
+    if (k >= steps_) return end_;
+    const double sum = start_ + k * step_, size = std::max({std::abs(start_), std::abs(end_), step_});
+    const double digits = std::pow(10, 13 - std::ceil(std::log10(size)));
+    const double rounded = std::isfinite(digits) ? std::round(sum * digits) / digits : sum;
+    return std::abs(rounded - sum) < 1e-6 * step_ ? rounded : sum;
+}
 
 int Clock::nearest(double t) const {
-    return static_cast<int>(std::clamp(std::round((t - start_) / step_), 0.0, static_cast<double>(steps_)));
+    const auto k =
+        static_cast<int>(std::clamp(std::floor((t - start_) / step_), 0.0, static_cast<double>(steps_)));
+    return k < steps_ && std::abs(time(k + 1) - t) < std::abs(time(k) - t) ? k + 1 : k;
 }
 
 Scenario Clock::at(double t) const {
@@ -185,7 +223,7 @@ void Clock::move(Values& values, double t) const {
         if (!std::isfinite(value)) throw InputError(key + " is not a finite number" + at_time(t));
         value = wrapped(row, value);
         if (!(value >= row.minimum && value <= row.maximum))
-            throw InputError(key + " is " + format_number(value) + at_time(t) + "; monitor." + motion.key +
+            throw InputError(key + " is " + short_number(value) + at_time(t) + "; monitor." + motion.key +
                              " must be " + describe_range(row));
         values.set(motion.key, value);
     }
@@ -206,7 +244,7 @@ void Clock::move_along_path(Values& values, double t) const {
         const ParameterRow& row = row_of(values, key);
         value = wrapped(row, value);
         if (!(value >= row.minimum && value <= row.maximum))
-            throw InputError("time.path leads to monitor." + key + " = " + format_number(value) + at_time(t) +
+            throw InputError("time.path leads to monitor." + key + " = " + short_number(value) + at_time(t) +
                              ", which must be " + describe_range(row));
         values.set(key, value);
     };

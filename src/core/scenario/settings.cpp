@@ -361,6 +361,10 @@ std::optional<Scenario> with_formula(const Catalogue& catalogue, const Scenario&
     for (const ParameterRow& row : before.rows())
         if (has_key(changed, "monitor." + row.key)) // a formula need not use all, such as a third coordinate
             set_value_unlocated(catalogue, changed, "monitor." + row.key, before.at(row.key));
+    for (const ParameterRow& row :
+         scenario.time.rows()) // they were left out while the formula was another one
+        if (row.role == ParameterRole::motion && changed.time.has(row.key))
+            changed.time.set(row.key, scenario.time.at(row.key));
     return changed;
 }
 

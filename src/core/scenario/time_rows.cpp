@@ -24,7 +24,7 @@ std::vector<ParameterRow> clock_rows() {
              .maximum = most,
              .slider = SliderRange{0, 10},
              .default_value = 0.0,
-             .help = "the time of the last mesh; without time if it is not after the start"},
+             .help = "the time of the last mesh; nothing moves unless it is later than the start"},
             {.key = "step",
              .label = "Time step",
              .symbol = "Δt",
@@ -100,7 +100,7 @@ std::vector<ParameterRow> following_rows() {
          .default_value = std::string("auto"),
          .choices = {"auto", "none", "linear", "quadratic"},
          .help = "where a time step begins: at the map before it, or extrapolated from two or three; auto: "
-                 "as it would have been best for the last step",
+                 "whichever would have been best for the last step",
          .detail = true},
         {.key = "path",
          .label = "Path",
@@ -125,7 +125,7 @@ std::vector<ParameterRow> time_rows(const std::vector<ParameterRow>& monitor) {
                         .default_value = std::string(),
                         .help = "monitor." + row.key +
                                 " as a formula in t and the monitor's parameters, such as \"" + row.key +
-                                " + 0.1*t\"; empty: it stays",
+                                " + 0.1*t\"; leave empty to keep it constant",
                         .role = ParameterRole::motion,
                         .detail = true});
     }
@@ -135,13 +135,17 @@ std::vector<ParameterRow> time_rows(const std::vector<ParameterRow>& monitor) {
 
 bool has_time(const Values& time) { return time.real("end") > time.real("start"); }
 
-bool same_motion(const Values& a, const Values& b) {
-    const auto matters = [](const ParameterRow& row) {
-        return row.role == ParameterRole::motion || row.key == "start" || row.key == "end" ||
-               row.key == "step" || row.key == "path";
-    };
+bool has_motion(const Values& time) {
+    return !time.text("path").empty() ||
+           std::any_of(time.rows().begin(), time.rows().end(), [&](const ParameterRow& row) {
+               return row.role == ParameterRole::motion && !time.text(row.key).empty();
+           });
+}
+
+bool same_time(const Values& a, const Values& b) {
     return std::all_of(a.rows().begin(), a.rows().end(), [&](const ParameterRow& row) {
-        return !matters(row) || (b.has(row.key) ? a.at(row.key) == b.at(row.key) : is_default(a, row.key));
+        return row.key == "speed" ||
+               (b.has(row.key) ? a.at(row.key) == b.at(row.key) : is_default(a, row.key));
     });
 }
 

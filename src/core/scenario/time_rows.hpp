@@ -23,7 +23,9 @@ inline constexpr std::string_view equidistribution = "equidistribution", toleran
 std::vector<ParameterRow> time_rows(const std::vector<ParameterRow>& monitor);
 /// Whether time.end is after time.start.
 bool has_time(const Values& time);
-/// Whether two sections "time" have the same moments and motions; how the mesh follows may differ.
-bool same_motion(const Values& a, const Values& b);
+/// Whether a parameter or a point is to move.
+bool has_motion(const Values& time);
+/// Whether the meshes of two sections "time" are the same; the speed in the window may differ.
+bool same_time(const Values& a, const Values& b);
 
 } // namespace gaspard

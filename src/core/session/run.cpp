@@ -128,13 +128,8 @@ Run::~Run() = default;
 
 /// What is reported and shown of the problem: the exact map, the names of the series.
 void Run::prepare_reports(Course& course) const {
-    course.exact.reset();
-    const Space space = space_of(*catalogue_, course.problem.scenario);
-    if (space.kind == SpaceKind::sphere && diagnostics(course) == Diagnostics::full)
-        if (const auto map = ExactMap::of(*course.data.monitor))
-            course.exact = std::make_shared<Points>(map->apply(course.discretisation->mesh()->nodes));
-    if (!course.exact && diagnostics(course) == Diagnostics::full)
-        course.exact = course.method->exact(course.data);
+    const auto known = std::exchange(course.series, nullptr);
+    find_exact(course);
     std::vector<SeriesInfo> diagnostics = quality_series();
     if (course.exact)
         for (SeriesInfo& one : exact_series()) diagnostics.push_back(std::move(one));
@@ -146,9 +141,10 @@ void Run::prepare_reports(Course& course) const {
         for (SeriesInfo& one : cell_quality_series()) diagnostics.push_back(std::move(one));
     if (course.following)
         for (SeriesInfo& one : time_series()) diagnostics.push_back(std::move(one));
-    auto table = std::make_shared<const SeriesTable>(method_type(course).residual, std::move(diagnostics),
-                                                     course.method->series(), method_type(course).criterion);
-    if (!course.series || course.series->all() != table->all()) course.series = std::move(table);
+    const auto table =
+        std::make_shared<const SeriesTable>(method_type(course).residual, std::move(diagnostics),
+                                            course.method->series(), method_type(course).criterion);
+    course.series = known && known->all() == table->all() ? known : table;
 }
 
 const MethodType& Run::method_type(const Course& course) const {
@@ -173,6 +169,7 @@ void Run::begin_history(Course next, std::string note, std::stop_token stop, Dia
     const Timer timer(next);
     const Evaluation evaluation = first_look(next, stop);
     next.judging = {};
+    restart_following(next);
     const ProblemData data = std::exchange(next.data, stoppable(next.data, stop));
     std::vector<StepReport> history = {report(next, evaluation, 0, std::move(note), at_most)};
     next.data = data;
@@ -200,7 +197,7 @@ void Run::refresh() {
 void Run::reset() {
     Course next = now_;
     set_clock(next, {});
-    if (next.following) next.data = data_of(next, {}, {});
+    if (next.following) next.data = data_of(next, {}, {}), find_exact(next);
     next.state = next.method->initial_state();
     stale_ = true; // until the start is in place
     restart(std::move(next), {});
@@ -215,12 +212,7 @@ State Run::adopted(const Course& course, const State& start) {
     return std::move(*state);
 }
 
-void Run::start_from(const State& state, std::stop_token stop) {
-    Course next = now_;
-    stale_ = true; // until the start is in place
-    next.state = adopted(next, state);
-    restart(std::move(next), stop);
-}
+void Run::start_from(const State& state, std::stop_token stop) { go_on_from(state, {}, stop); }
 
 void Run::follow(std::shared_ptr<const Monitor> monitor, std::stop_token stop) {
     if (!monitor) throw InputError("Run::follow: the monitor is null");
@@ -262,6 +254,7 @@ const StepReport& Run::step(std::stop_token stop, int time_steps) {
     const Timer timer(now_);
     last_finite_ = now_.state;
     const Judging judging = now_.judging;
+    const auto following = now_.following;
     now_.data.stop = stop; // of the measures, too
     try {
         Evaluation evaluation = now_.method->step(now_.data, now_.state, stop);
@@ -275,6 +268,7 @@ const StepReport& Run::step(std::stop_token stop, int time_steps) {
         now_.data.stop = {};
         now_.state = last_finite_;
         now_.judging = judging;
+        now_.following = following;
         now_.measured.reset();
         stale_ = true;
         failed_ = !stop.stop_requested(); // an interruption is no failure
@@ -309,13 +303,12 @@ StepReport Run::report(Course& course, const Evaluation& evaluation, int iterati
     course.measured.reset();
     if (evaluation.anew) course.judging.best = std::numeric_limits<double>::infinity();
     report.status = judge(course, report, evaluation.ending, report.note);
-    arrive(course, report);
     const auto every = course.problem.scenario.method.values.integer("diagnostics_every");
     const bool due = iteration % every == 0 && diagnostics(course) != Diagnostics::none;
-    const bool arrived = course.following && course.following->arrived;
-    if (is_final(report.status) || arrived || due) measure(course, report, at_most);
+    if (is_final(report.status) || due) measure(course, report, at_most);
     const bool diverged = report.status == RunStatus::diverged;
     if (is_final(report.status) && !diverged && *report.tangled_cells > 0) report.status = RunStatus::tangled;
+    if (arrives(course, report)) arrive(course, report);
     if (is_final(report.status)) note_folds(course, report);
     if (is_final(report.status) && report.status != RunStatus::converged) note_advice(course, report);
     add_time(course, report);
@@ -405,8 +398,8 @@ void Run::measure(Course& course, StepReport& report, Diagnostics at_most) const
     auto next = values.begin();
     if (level != Diagnostics::none) std::ranges::copy(values_of(quality), next);
     next += static_cast<std::ptrdiff_t>(values_of(quality).size());
-    if (course.exact) {
-        if (level == Diagnostics::full)
+    if (report.series->find(exact_series().front().name)) {
+        if (level == Diagnostics::full && course.exact)
             std::ranges::copy(values_of(exact_deviation(*course.discretisation->mesh(), x, *course.exact,
                                                         space_of(*catalogue_, course.problem.scenario).kind ==
                                                             SpaceKind::sphere)),
@@ -452,7 +445,6 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
     const bool new_data = reread || !same_problem_data(problem.scenario, old);
     if (!new_data && problem.scenario.method == old.method) {
         now_.problem = std::move(problem);
-        take_rule();
         return {};
     }
     const bool other_files = find_role(old.domain.values.rows(), ParameterRole::file) != nullptr &&
@@ -464,7 +456,7 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
     next.problem = std::move(problem);
     if (new_domain) next.discretisation = prepare(next.problem, progress, stop);
     if (new_domain) next.meter = make_meter(next);
-    set_clock(next, time());
+    if (new_data) set_clock(next, time());
     if (new_data) next.data = data_of(next, progress, stop);
     // From divergence or tangled cells no step leads on: restart from the last untangled mesh.
     refresh();

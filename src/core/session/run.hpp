@@ -90,9 +90,9 @@ class Run {
     /// Restarts from a state, such as that of a file (core/io/state_file.hpp), with a new history. Throws
     /// InputError if it does not fit to the problem, and Interrupted if asked to stop.
     void start_from(const State& state, std::stop_token stop = {});
-    /// Goes on from the state of a time step, or of one near it, at the time t, with a new history; as
-    /// start_from() if the scenario has no time.
-    void go_on_from(const State& state, double t, std::stop_token stop = {});
+    /// Goes on from the state of a time step, or of one near it, at the time t (nullopt: the start), with a
+    /// new history.
+    void go_on_from(const State& state, std::optional<double> t, std::stop_token stop = {});
     /// The time of the current mesh; nullopt if the scenario has none.
     std::optional<double> time() const;
     /// Whether the next step is a time step.
@@ -197,13 +197,19 @@ class Run {
     RunStatus judge(Course& course, const StepReport& report, Ending ending, std::string& note) const;
     void take_back(Evaluation& evaluation, std::string& note);
     // run_time.cpp
+    struct StepMesh; // time_step.hpp
     class TimeStep;
     ProblemData data_of(const Course& course, const Progress& progress, std::stop_token stop) const;
     void set_clock(Course& course, std::optional<double> t) const;
+    static void restart_following(Course& course);
+    static bool arrives(const Course& course, const StepReport& report);
     static void arrive(Course& course, StepReport& report);
-    void take_rule();
     static void add_time(const Course& course, StepReport& report);
-    const StepReport& advance(std::stop_token stop, int time_steps);
+    const StepReport& advance(std::stop_token stop, int time_steps, bool again = false);
+    StepReport report_step(Course& next, const StepMesh& mesh, int iteration, int time_steps) const;
+    void end_time(const Course& course, StepReport& report) const;
+    const StepReport& give_up_time(const std::string& note, const Timer& timer);
+    void find_exact(Course& course) const;
     static void add_velocity(const Course& course, Snapshot& snapshot);
 
     std::shared_ptr<const Catalogue> catalogue_;

@@ -4,14 +4,17 @@
 //   rule relaxation   tau d/dt s = s*(t) - s,  so  s_k = s_{k-1} + (1 - exp(-dt / tau)) (s* - s_{k-1})
 //   other rules       s_k = s*(t_k) up to a residual, from a start that is extrapolated (extrapolation.hpp)
 //
-// where s*(t) is the map for the monitor at time t, in the first line approximated by one iteration. If a
-// step is not solved, it begins again from s_{k-1}, then goes there in 2, 4 or 8 parts.
-#include "core/base/stopwatch.hpp"
+// where s*(t) is the map for the monitor at time t, in the first line approximated by one iteration
+// (time_step.hpp). If a step is not solved, it begins again from s_{k-1}, then goes there in 2, 4 or 8 parts.
+#include "core/base/check.hpp"
+#include "core/base/short_number.hpp"
+#include "core/diagnostics/exact_map.hpp"
 #include "core/scenario/time_rows.hpp"
 #include "core/session/following.hpp"
 #include "core/session/run.hpp"
 #include "core/session/run_timer.hpp"
 #include "core/session/time_series.hpp"
+#include "core/session/time_step.hpp"
 
 #include <algorithm>
 #include <array>
@@ -21,16 +24,6 @@
 namespace gaspard {
 
 namespace {
-
-constexpr int most_parts = 8;                // of a time step that is not solved at once
-constexpr std::int64_t most_learning = 1000; // iterations of a step to method.tolerance, for samples
-constexpr double runaway_factor = 1e3;       // a time step is given up if its criterion grows so much
-
-std::optional<int> degree_of(const Values& time) {
-    const std::string& choice = time.text("extrapolation");
-    if (choice == "auto") return std::nullopt;
-    return choice == "none" ? 0 : choice == "linear" ? 1 : 2;
-}
 
 double fastest(const Points& x, const Points& before, double dt) {
     double largest = 0;
@@ -42,6 +35,17 @@ double fastest(const Points& x, const Points& before, double dt) {
 
 std::optional<double> Run::time() const {
     return now_.following ? std::optional(now_.following->time()) : std::nullopt;
+}
+
+/// The exact map for the present monitor, where one is known.
+void Run::find_exact(Course& course) const {
+    course.exact.reset();
+    if (diagnostics(course) != Diagnostics::full) return;
+    if (course.series && course.following && !course.series->find(exact_series().front().name)) return;
+    if (space_of(*catalogue_, course.problem.scenario).kind == SpaceKind::sphere)
+        if (const auto map = ExactMap::of(*course.data.monitor))
+            course.exact = std::make_shared<Points>(map->apply(course.discretisation->mesh()->nodes));
+    if (!course.exact) course.exact = course.method->exact(course.data);
 }
 
 bool Run::moves() const {
@@ -66,23 +70,26 @@ void Run::set_clock(Course& course, std::optional<double> t) const {
         std::make_shared<const Following>(Following{.clock = clock, .step = t ? clock->nearest(*t) : 0});
 }
 
-/// The first mesh is solved: the run goes on, in time.
+/// With a new history: the mesh of the present time comes first.
+void Run::restart_following(Course& course) {
+    if (course.following)
+        course.following = std::make_shared<const Following>(
+            Following{.clock = course.following->clock, .step = course.following->step});
+}
+
+/// Whether the first mesh is solved, and time is to pass.
+bool Run::arrives(const Course& course, const StepReport& report) {
+    return course.following && report.status == RunStatus::converged && !course.following->ends();
+}
+
+/// The run goes on, in time.
 void Run::arrive(Course& course, StepReport& report) {
-    if (!course.following || report.status != RunStatus::converged || course.following->ends()) return;
     auto following = std::make_shared<Following>(*course.following);
     following->arrived = true;
     following->maps.begin(following->time(), course.state);
     following->tolerance.reset();
     course.following = std::move(following);
     report.status = RunStatus::running;
-}
-
-/// Other values of how the mesh follows, from the next time step on.
-void Run::take_rule() {
-    if (!now_.following) return;
-    auto following = std::make_shared<Following>(*now_.following);
-    following->tolerance.reset();
-    now_.following = std::move(following);
 }
 
 void Run::add_time(const Course& course, StepReport& report) {
@@ -107,164 +114,76 @@ void Run::add_velocity(const Course& course, Snapshot& snapshot) {
     for (Field& field : fields) snapshot.fields.push_back(std::move(field));
 }
 
-/// One time step of a course, which it changes.
-class Run::TimeStep {
-  public:
-    struct Mesh {
-        Evaluation evaluation; ///< of the course's state
-        int iterations = 0, inner_iterations = 0;
-        bool solved = false;
-        double monitor_seconds = 0;
-        std::vector<StepTolerance::Sample> samples{}; ///< if asked for: at least one
+/// What is reported of a time step and of the run, in time.
+StepReport Run::report_step(Course& next, const StepMesh& mesh, int iteration, int time_steps) const {
+    const Following& following = *next.following;
+    StepReport report{.iteration = iteration,
+                      .residual = mesh.evaluation.residual,
+                      .step_size = mesh.evaluation.step_size,
+                      .inner_iterations = mesh.inner_iterations,
+                      .note = mesh.solved ? "" : "the time step is not solved",
+                      .series = next.series};
+    take_series(next, mesh.evaluation.series, report);
+    add_time(next, report);
+    report.set(time_names::iterations, mesh.iterations);
+    report.set(time_names::monitor, mesh.monitor_seconds);
+    report.set(time_names::speed, fastest(next.method->positions(), *following.before,
+                                          following.time() - following.before_time));
+    next.measured.reset();
+    const auto every = next.problem.scenario.method.values.integer("diagnostics_every");
+    const bool due = following.step % every < time_steps && diagnostics(next) != Diagnostics::none;
+    if (following.ends() || due) measure(next, report, Diagnostics::full);
+    return report;
+}
+
+/// The status and the note of the last time step.
+void Run::end_time(const Course& course, StepReport& report) const {
+    const Following& following = *course.following;
+    report.status = following.tangled > 0    ? RunStatus::tangled
+                    : following.unsolved > 0 ? RunStatus::iteration_limit
+                                             : RunStatus::converged;
+    report.note.clear();
+    const auto say = [&](int count, const std::string& what) {
+        if (count == 0) return;
+        report.note += (report.note.empty() ? "" : "; ") + std::to_string(count) +
+                       (count == 1 ? " time step " : " time steps ") + what;
     };
+    say(following.tangled, following.tangled == 1 ? "has tangled cells" : "have tangled cells");
+    say(following.unsolved, std::string(following.unsolved == 1 ? "was" : "were") +
+                                " not solved within time.iterations, and a smaller time.step may help");
+    note_folds(course, report);
+    if (report.status != RunStatus::converged) note_advice(course, report);
+}
 
-    TimeStep(const Run& run, Course& course, std::stop_token stop)
-        : run_(run), course_(course), stop_(std::move(stop)), time_(course.problem.scenario.time),
-          rule_(time_.text("rule")) {}
+/// The run ends at the time before, after a step that cannot be made.
+const StepReport& Run::give_up_time(const std::string& note, const Timer& timer) {
+    const Evaluation evaluation = now_.method->evaluate(now_.data, now_.state, {});
+    stale_ = false;
+    now_.measured.reset();
+    StepReport report{.iteration = history_.back().iteration + 1,
+                      .residual = evaluation.residual,
+                      .status = RunStatus::diverged,
+                      .note = note,
+                      .series = now_.series};
+    take_series(now_, evaluation.series, report);
+    add_time(now_, report);
+    measure(now_, report, Diagnostics::full);
+    timer.add_to(report, history_.back(), now_);
+    history_.push_back(std::move(report));
+    ++version_;
+    return history_.back();
+}
 
-    Mesh make(const Following& following) {
-        Mesh mesh = follow(following);
-        mesh.monitor_seconds = monitor_seconds_;
-        return mesh;
-    }
+/// The same, but the next step is solved to method.tolerance.
+static std::shared_ptr<const Following> demanding(const Following& following) {
+    auto changed = std::make_shared<Following>(following);
+    changed->tolerance->learn_next();
+    return changed;
+}
 
-  private:
-    Mesh follow(const Following& following) {
-        const double from = following.before_time, to = following.time();
-        const State before = course_.state;
-        const bool samples = rule_ == time_rule::equidistribution && following.tolerance->learns();
-        set_time(following, to);
-        if (rule_ == time_rule::relaxation) return relax(to - from);
-        const double aim = samples || !following.tolerance ? smallest() : following.tolerance->value();
-        const auto degree = degree_of(time_);
-        course_.state = following.maps.at(to, degree);
-        Mesh mesh = solve(aim, samples);
-        if (!mesh.solved && degree != 0) {
-            course_.state = before;
-            mesh = solve(aim, samples);
-        }
-        for (int parts = 2; !mesh.solved && rule_ != time_rule::iterations && parts <= most_parts;
-             parts *= 2) {
-            course_.state = before;
-            for (int part = 1; part <= parts; ++part) {
-                set_time(following, part == parts ? to : from + part * (to - from) / parts);
-                mesh = solve(aim, samples && part == parts);
-            }
-        }
-        return mesh;
-    }
-
-    /// Tells the method how far it is to solve, as long as this lives.
-    class LooserMethod {
-      public:
-        LooserMethod(Course& course, double aim)
-            : method_(*course.method), values_(course.problem.scenario.method.values) {
-            Values values = values_;
-            values.set("tolerance", std::clamp(aim, 1e-14, 1.0)); // the range of its row
-            method_.configure(values);
-        }
-        ~LooserMethod() { method_.configure(values_); }
-        LooserMethod(const LooserMethod&) = delete;
-        LooserMethod& operator=(const LooserMethod&) = delete;
-
-      private:
-        Method& method_;
-        const Values& values_;
-    };
-
-    /// The data of the problem at a time.
-    void set_time(const Following& following, double t) {
-        const Stopwatch watch;
-        course_.data = make_problem_data(*run_.catalogue_, following.clock->at(t), course_.own,
-                                         run_.monitor_context(course_, {}, stop_));
-        course_.data.stop = stop_;
-        monitor_seconds_ += watch.seconds();
-    }
-
-    /// What the criterion must be below.
-    double smallest() const {
-        const Values& method = course_.problem.scenario.method.values;
-        const auto own = time_.real_or_auto("tolerance");
-        return rule_ == time_rule::tolerance && own ? *own : method.real("tolerance");
-    }
-
-    double criterion(const Evaluation& evaluation) const {
-        StepReport report{.residual = evaluation.residual, .series = course_.series};
-        run_.take_series(course_, evaluation.series, report);
-        return *report.value(course_.series->criterion());
-    }
-
-    void sample(Mesh& mesh, double residual) {
-        const MeshQuality& quality =
-            course_.meter->measure(course_.method->positions(), *course_.data.monitor);
-        mesh.samples.push_back({residual, quality.equidistribution});
-    }
-
-    Evaluation step(Mesh& mesh) {
-        Evaluation evaluation = course_.method->step(course_.data, course_.state, stop_);
-        if (stop_.stop_requested()) throw Interrupted();
-        ++mesh.iterations;
-        mesh.inner_iterations += evaluation.inner_iterations;
-        return evaluation;
-    }
-
-    /// Iterates from the course's state.
-    Mesh solve(double aim, bool samples) {
-        const LooserMethod looser(course_, aim);
-        Mesh mesh{.evaluation = course_.method->evaluate(course_.data, course_.state, stop_)};
-        const auto most =
-            samples ? std::max(most_learning, time_.integer("iterations")) : time_.integer("iterations");
-        const bool counted = rule_ == time_rule::iterations;
-        double first = 0;
-        for (;;) {
-            const double reached = criterion(mesh.evaluation);
-            if (samples && std::isfinite(reached)) sample(mesh, reached);
-            if (mesh.iterations == 0) first = std::max(1.0, reached);
-            if (!std::isfinite(reached) || reached > runaway_factor * first) return mesh;
-            if (mesh.evaluation.ending == Ending::complete) break;
-            if (!counted && reached < aim && mesh.evaluation.ending == Ending::by_criterion) break;
-            if (mesh.iterations >= most) {
-                mesh.solved = counted && std::isfinite(reached);
-                return mesh;
-            }
-            mesh.evaluation = step(mesh);
-        }
-        mesh.solved = true;
-        return mesh;
-    }
-
-    Mesh relax(double dt) {
-        const State before = course_.state;
-        Mesh mesh{.evaluation = course_.method->evaluate(course_.data, course_.state, stop_)};
-        const auto most = std::max<std::int64_t>(1, time_.integer("iterations"));
-        do mesh.evaluation = step(mesh); // methods of nested iteration return from coarser meshes
-        while (course_.state.layout != before.layout && mesh.iterations < most);
-        if (course_.state.layout != before.layout || !std::isfinite(mesh.evaluation.residual)) {
-            course_.state = before;
-        } else {
-            const double share = -std::expm1(-dt / time_.real("tau"));
-            for (std::size_t k = 0; k < before.arrays.size(); ++k)
-                for (std::size_t i = 0; i < before.arrays[k].values.size(); ++i) {
-                    double& value = course_.state.arrays[k].values[i];
-                    value = before.arrays[k].values[i] + share * (value - before.arrays[k].values[i]);
-                }
-            mesh.solved = true;
-        }
-        mesh.evaluation = course_.method->evaluate(course_.data, course_.state, stop_);
-        mesh.solved = mesh.solved && std::isfinite(mesh.evaluation.residual);
-        return mesh;
-    }
-
-    const Run& run_;
-    Course& course_;
-    std::stop_token stop_;
-    const Values& time_;
-    const std::string& rule_;
-    double monitor_seconds_ = 0;
-};
-
-/// The next time step, as a row of the history.
-const StepReport& Run::advance(std::stop_token stop, int time_steps) {
+/// The next time step, as a row of the history. `again`: it was made before, but not far enough.
+const StepReport& Run::advance(std::stop_token stop, int time_steps, bool again) {
+    GASPARD_CHECK(time_steps > 0);
     const Timer timer(now_);
     Course next = now_;
     auto following = std::make_shared<Following>(*now_.following);
@@ -277,60 +196,34 @@ const StepReport& Run::advance(std::stop_token stop, int time_steps) {
     else if (!following->tolerance)
         following->tolerance.emplace(time.real("factor"),
                                      next.problem.scenario.method.values.real("tolerance"));
-    stale_ = true; // until the step is in place
-    const TimeStep::Mesh mesh = TimeStep(*this, next, stop).make(*following);
-    if (!std::isfinite(mesh.evaluation.residual)) { // the run ends at the time before
-        refresh();
-        StepReport last = history_.back();
-        ++last.iteration;
-        last.status = RunStatus::diverged;
-        last.note = "the iteration diverged in the time step to t = " + format_number(following->time()) +
-                    "; a smaller time.step may help";
-        timer.add_to(last, history_.back(), now_);
-        history_.push_back(std::move(last));
-        ++version_;
-        return history_.back();
-    }
-    // An extrapolated map that was near enough tells nothing new.
-    if (mesh.iterations > 0) following->maps.add(following->time(), next.state);
-    if (!mesh.solved) ++following->unsolved;
-    if (following->tolerance) {
-        if (mesh.samples.size() > 0 && mesh.solved)
-            following->tolerance->learn(mesh.samples);
-        else
-            following->tolerance->pass();
-    }
     next.following = following;
-    next.measured.reset();
-    StepReport report{.iteration = history_.back().iteration + 1,
-                      .residual = mesh.evaluation.residual,
-                      .step_size = mesh.evaluation.step_size,
-                      .inner_iterations = mesh.inner_iterations,
-                      .note = mesh.solved ? "" : "the time step is not solved",
-                      .series = next.series};
-    take_series(next, mesh.evaluation.series, report);
-    add_time(next, report);
-    report.set(time_names::iterations, mesh.iterations);
-    report.set(time_names::monitor, mesh.monitor_seconds);
-    report.set(time_names::speed, fastest(next.method->positions(), *following->before,
-                                          following->time() - following->before_time));
-    const auto every = next.problem.scenario.method.values.integer("diagnostics_every");
-    if (following->ends() || (following->step % every < time_steps && diagnostics(next) != Diagnostics::none))
-        measure(next, report, Diagnostics::full);
-    if (report.tangled_cells.value_or(0) > 0) ++following->tangled;
-    if (const auto e = report.value("equidistribution"); e && following->tolerance)
-        following->tolerance->check(*e);
-    if (following->ends()) {
-        report.status = following->tangled > 0    ? RunStatus::tangled
-                        : following->unsolved > 0 ? RunStatus::iteration_limit
-                                                  : RunStatus::converged;
-        if (following->unsolved > 0)
-            report.note = std::to_string(following->unsolved) + " of " + std::to_string(following->step) +
-                          " time steps were not solved within time.iterations; a smaller time.step may help";
-        if (following->tangled > 0)
-            report.note =
-                std::to_string(following->tangled) + " time steps that were measured have tangled cells";
+    stale_ = true; // until the step is in place
+    StepMesh mesh;
+    try {
+        mesh = TimeStep(*this, next, stop).make(*following);
+    } catch (const InputError& error) { // the monitor cannot be made at this time
+        return give_up_time(error.what(), timer);
     }
+    if (!std::isfinite(mesh.evaluation.residual))
+        return give_up_time("the iteration diverged in the time step to t = " +
+                                exact_number(following->time()) + "; a smaller time.step may help",
+                            timer);
+    if (!mesh.solved)
+        following->maps.begin(following->time(), next.state), ++following->unsolved;
+    else if (mesh.iterations > 0) // an expected map that was near enough tells nothing new
+        following->maps.add(following->time(), next.state);
+    if (following->tolerance) following->tolerance->learn(mesh.samples, mesh.solved);
+    find_exact(next);
+    StepReport report = report_step(next, mesh, history_.back().iteration + 1, time_steps);
+    const auto e = report.value("equidistribution");
+    if (!again && e && mesh.samples.empty() && following->tolerance &&
+        following->tolerance->exceeded_by(*e)) {
+        refresh();
+        now_.following = demanding(*now_.following);
+        return advance(stop, time_steps, true);
+    }
+    if (report.tangled_cells.value_or(0) > 0) ++following->tangled;
+    if (following->ends()) end_time(next, report);
     timer.add_to(report, history_.back(), next);
     next.data.stop = {};
     history_.push_back(std::move(report));
@@ -338,12 +231,12 @@ const StepReport& Run::advance(std::stop_token stop, int time_steps) {
     return history_.back();
 }
 
-void Run::go_on_from(const State& state, double t, std::stop_token stop) {
+void Run::go_on_from(const State& state, std::optional<double> t, std::stop_token stop) {
     Course next = now_;
     set_clock(next, t);
     stale_ = true; // until the start is in place
     next.state = adopted(next, state);
-    if (next.following) next.data = data_of(next, {}, stop);
+    if (next.following) next.data = data_of(next, {}, stop), find_exact(next);
     restart(std::move(next), stop);
 }
 

@@ -83,8 +83,8 @@ struct Snapshot {
     std::shared_ptr<const std::vector<std::uint32_t>> tangled{};
     std::shared_ptr<const Points> control{}; ///< control points that may be moved; null where there are none
     std::size_t control_columns = 0;         ///< Discretisation::control_columns()
-    std::shared_ptr<const Points> target{};     ///< Discretisation::target_outline()
-    std::shared_ptr<const PatchList> patches{}; ///< of a file with several; otherwise null
+    std::shared_ptr<const Points> target{};  ///< Discretisation::target_outline()
+    std::shared_ptr<const PatchList> patches{};            ///< of a file with several; otherwise null
     std::shared_ptr<const MonitorReport> monitor_report{}; ///< null: the monitor says nothing
     /// The interpolation errors on the uniform and on an adapted mesh, as last measured (Run::interpolation):
     /// of this mesh if its version is that of the snapshot, else of one before it. Null where they were not

@@ -35,6 +35,10 @@ void SolverThread::post(Command command) {
         if (change && before) {
             change->reread = change->reread || before->reread;
             change->same_gesture = change->same_gesture && before->same_gesture;
+            if (before->start && !change->anew) { // the later values, from the same start
+                change->anew = true, change->paused = before->paused;
+                change->start = before->start, change->time = before->time;
+            }
             commands_.back() = std::move(command);
         } else
             commands_.push_back(std::move(command));
@@ -318,7 +322,7 @@ void SolverThread::execute(Command command, std::stop_token stop) {
         void operator()(StartCommand&) { self.start(stop); }
         void operator()(PauseCommand&) { self.running_ = false, self.pace_.reset(); }
         void operator()(StepCommand&) { // immediately, so that later commands see the result
-            self.running_ = false;
+            self.running_ = false, self.pace_.reset();
             const bool possible = self.run_ && self.run_->status() == RunStatus::running;
             if (possible && !stop.stop_requested()) self.run_->step(stop);
         }
@@ -326,6 +330,7 @@ void SolverThread::execute(Command command, std::stop_token stop) {
             if (!self.run_) return;
             self.following_ = false;
             self.publish(stop); // the rest of the old history
+            self.pace_.reset();
             self.run_->reset();
             self.begins_ = SolverEventKind::restart;
             self.update([](SolverStatus& status) { status.run = RunStatus::running; });
@@ -342,6 +347,7 @@ void SolverThread::execute(Command command, std::stop_token stop) {
 
 void SolverThread::start(std::stop_token stop) {
     running_ = true;
+    pace_.reset();
     if (!run_) prepare(stop);
 }
 
@@ -358,6 +364,7 @@ void SolverThread::inspect(const InspectCommand& command) {
 }
 
 void SolverThread::change(ChangeCommand command, std::stop_token stop) {
+    pace_.reset();
     bool refused = false;
     if (!command.same_gesture) gesture_begun_ = false;
     if (run_ && !send_reports(stop)) return; // the rest of the old history
@@ -414,7 +421,7 @@ void SolverThread::begin_anew(const ChangeCommand& command, std::stop_token stop
     else
         run_->start_from(*command.start, stop);
     begins_ = SolverEventKind::restart;
-    running_ = true;
+    running_ = !command.paused;
 }
 
 void SolverThread::answer(std::uint64_t number, bool refused) {

@@ -38,6 +38,7 @@ struct ChangeCommand {
     Scenario scenario;
     std::uint64_t number = 0;
     bool anew = false;
+    bool paused = false; ///< do not run after that
     bool reread = false;
     bool same_gesture = false;
     std::shared_ptr<const State> start{};

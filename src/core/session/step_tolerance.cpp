@@ -8,25 +8,37 @@ namespace gaspard {
 namespace {
 constexpr double margin = 4;    // for what changes until a step learns again
 constexpr double loosest = 0.1; // residual: beyond it, iterations need not converge
-}
+} // namespace
 
-void StepTolerance::learn(const std::vector<Sample>& samples) {
+void StepTolerance::learn(const std::vector<Sample>& samples, bool solved) {
+    ++steps_;
+    if (samples.empty()) return;
     const double before = value_;
-    solved_ = samples.back().equidistribution;
-    slope_ /= 2;
+    const double nearest = samples.back().equidistribution;
+    double slope = 0, farthest = 0; // of the samples that tell something
     for (const Sample& sample : samples)
-        if (sample.residual > 10 * smallest_)
-            slope_ = std::max(slope_, std::abs(sample.equidistribution - solved_) / sample.residual);
+        if (sample.residual > 10 * smallest_) {
+            farthest = std::max(farthest, sample.residual);
+            slope = std::max(slope, std::abs(sample.equidistribution - nearest) / sample.residual);
+        }
+    if (!solved || farthest == 0) {
+        value_ = std::max(value_, smallest_);
+        period_ = solved ? 0 : shortest;
+        steps_ = 0;
+        return;
+    }
+    solved_ = nearest;
+    slope_ = std::max(slope, slope_ / 2);
     value_ = slope_ > 0 ? (factor_ - 1) * solved_ / (margin * slope_) : loosest;
-    value_ = std::clamp(value_, smallest_, std::max(loosest, smallest_));
+    // Not far beyond what was seen.
+    value_ = std::clamp(value_, smallest_, std::max(smallest_, std::min(loosest, 10 * farthest)));
     const bool steady = before > 0 && value_ > before / 2 && value_ < 2 * before;
-    period_ = steady ? std::min(2 * period_, longest) : shortest;
+    period_ = steady ? std::clamp(2 * period_, shortest, longest) : shortest;
     steps_ = 0;
 }
 
-void StepTolerance::check(double equidistribution) {
-    if (solved_ > 0 && equidistribution > factor_ * solved_)
-        period_ = std::max(shortest, period_ / 2), steps_ = period_;
+bool StepTolerance::exceeded_by(double equidistribution) const {
+    return solved_ > 0 && equidistribution > factor_ * solved_;
 }
 
 } // namespace gaspard

@@ -24,12 +24,12 @@ class StepTolerance {
     StepTolerance(double factor, double smallest) : factor_(factor), smallest_(smallest) {}
     /// Whether the next time step is to be solved to method.tolerance, with samples.
     bool learns() const { return steps_ >= period_; }
-    /// The samples of such a step, the last of which is solved.
-    void learn(const std::vector<Sample>& samples);
-    /// After a step that was not.
-    void pass() { ++steps_; }
-    /// The mesh of a step was measured: if e is too large, the next step learns.
-    void check(double equidistribution);
+    /// After a step: its samples, the last of which is the mesh; none if it was not one that learns. Samples
+    /// that are solved already tell nothing: the next step learns again.
+    void learn(const std::vector<Sample>& samples, bool solved = true);
+    /// Whether the equidistribution of a step that was measured is too large.
+    bool exceeded_by(double equidistribution) const;
+    void learn_next() { steps_ = period_; }
     /// The residual at which a step is solved.
     double value() const { return value_; }
 

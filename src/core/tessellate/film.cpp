@@ -75,6 +75,22 @@ Camera before_turn(const Mesh& mesh, const Values& view) {
     return camera;
 }
 
+/// All of a box in the plane, with space for legend and caption; `beside`: in half of the width.
+Camera whole_plane(const Box& box, const Values& view, bool beside) {
+    constexpr double axes_room = 1.2;
+    const Size size = size_of(view);
+    const double right = view.boolean("legend") ? legend_part * size.width : 0,
+                 bottom = view.boolean("caption") ? caption_part * size.height : 0;
+    const double width = beside ? (size.width - right) / 2 : size.width - right;
+    const Vec3 side = box.high - box.low;
+    Camera camera;
+    camera.centre = box.centre();
+    camera.scale =
+        (view.boolean("axes") ? axes_room : room) * std::max(side.x / width, side.y / (size.height - bottom));
+    pan(camera, {beside ? 0 : -right / 2, -bottom / 2});
+    return camera;
+}
+
 } // namespace
 
 const std::vector<FilmMotionRow>& film_motions() {
@@ -145,7 +161,9 @@ FilmIterates film_iterates(const Recording& recording) {
     FilmIterates iterates{recording.iterations(), {}};
     for (std::size_t i = 1; i < iterates.recorded.size() && !iterates.first_in_time; ++i)
         if (is_time_step(recording.at(iterates.recorded[i])->report()))
-            iterates.first_in_time = iterates.recorded[i - 1];
+            iterates.first_in_time = iterates.recorded[i - 1] == iterates.recorded[i] - 1
+                                         ? iterates.recorded[i - 1]
+                                         : iterates.recorded[i];
     return iterates;
 }
 
@@ -154,7 +172,9 @@ std::vector<int> film_iterations(const FilmPlan& plan, const FilmIterates& itera
     GASPARD_CHECK(!recorded.empty());
     if (plan.motions.time) {
         if (!iterates.first_in_time)
-            throw InputError("the motion time needs a mesh that has moved in time; set time.end");
+            throw InputError(
+                "the motion time needs time steps: time.end after time.start, and a mesh that is solved at "
+                "the start");
         std::erase_if(recorded, [&](int iteration) { return iteration < *iterates.first_in_time; });
     }
     if (plan.first && *plan.first > recorded.back())
@@ -191,9 +211,22 @@ Film::Film(FilmPlan plan, const Recording& recording, std::shared_ptr<const Snap
       iterations_(film_iterations(plan_, film_iterates(recording_))), last_(std::move(last)),
       view_(std::move(view)), length_(film_length(plan_, iterations_.size())) {
     GASPARD_CHECK(last_ != nullptr);
+    if (plan_.motions.time) hold_camera();
     if (plan_.motions.shows_iterates())
         view_ = with_range(view_, range_of_recording(recording_, last_.get(), colour_choice(view_)));
     last_ = iterate(iterations_.back());
+}
+
+/// A mesh that moves in the plane is seen by one camera, so that its frame does not move with it.
+void Film::hold_camera() {
+    const std::string& layout = view_.text("layout");
+    const bool whole = view_.text("camera").empty() || shows_all(view_.text("camera"));
+    if (!whole || last_->mesh->space_dimension != 2 || view_.real("elevation") != 0) return;
+    Box box = bounding_box(last_->x);
+    for (const int iteration : iterations_) box = merge(box, bounding_box(iterate(iteration)->x));
+    const Size size = size_of(view_);
+    const bool beside = layout == "side-by-side" || layout == "field-and-mesh";
+    if (layout != "computational") view_.set("camera", format_camera(whole_plane(box, view_, beside), size));
 }
 
 double Film::place(int frame) const {

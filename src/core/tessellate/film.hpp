@@ -92,6 +92,7 @@ class Film {
 
   private:
     double place(int frame) const;
+    void hold_camera();
     std::shared_ptr<const Snapshot> iterate(int iteration) const;
 
     FilmPlan plan_;

@@ -388,14 +388,13 @@ void Application::go_on() {
     const auto from = run().recording->with_state(playback_.iteration(run()));
     if (!from) return;
     document_.keep(run().id);
-    if (!document_.go_on_from(run().id, from->iteration())) return;
+    document_.go_on_from(run().id, *from);
     playback_.go_to_end();
     const auto time = time_of(from->report());
+    const std::string place =
+        time ? "t = " + short_number(*time) : "iteration " + std::to_string(from->iteration());
     messages_.say(
-        {"The run goes on from " +
-             (time ? "t = " + short_number(*time) : "iteration " + std::to_string(from->iteration())) +
-             "; what was there is kept.",
-         false});
+        {"Back at " + place + "; the earlier run is kept. Change values, or press Space to go on.", false});
 }
 
 void Application::begin_path() {

@@ -158,8 +158,8 @@ std::vector<Action> Application::solve_actions() {
          .label = "Go on from here",
          .menu = "Solve",
          .keys = {"Ctrl+G"},
-         .help = "Keep this run, and solve on from the recorded iterate or time that is shown; then change "
-                 "values.",
+         .help = "Keep this run, and go back to the recorded iterate or time that is shown, to solve on from "
+                 "there.",
          .needs_solver = true,
          .run = [this] { go_on(); },
          .enabled = [this] { return !playback_.live() && run().recording != nullptr; },
@@ -168,11 +168,10 @@ std::vector<Action> Application::solve_actions() {
          .label = "Draw a path",
          .menu = "Solve",
          .keys = {"Ctrl+M"},
-         .help =
-             "Drag the centre of the monitor: its way and its speed are recorded, and the mesh follows them.",
+         .help = "Drag the centre of the monitor: its path and speed are recorded, and the mesh follows.",
          .needs_solver = true,
          .run = [this] { path_.armed() ? path_.give_up() : begin_path(); },
-         .enabled = [this] { return !monitor_handles(run().scenario).empty(); },
+         .enabled = [this] { return !monitor_handles(run().scenario, true).empty(); },
          .checked = [this] { return path_.armed(); },
          .reason = [] { return "Draw a path: this monitor has no centre that could move."; }},
         {.name = "loop",

@@ -56,7 +56,7 @@ void Application::frame() {
     const bool with_handles = run().live() && !taking_screenshot_;
     std::vector<Handle> handles;
     if (with_handles) {
-        handles = monitor_handles(run().scenario);
+        handles = monitor_handles(run().scenario, path_.armed());
         if (run().snapshot)
             for (auto& one : domain_handles(run().scenario, *run().snapshot))
                 handles.push_back(std::move(one));
@@ -230,14 +230,13 @@ bool Application::draw_time_section(const PanelContext& context, Scenario& scena
 
 /// The path that was drawn begins anew, from its start.
 void Application::take_path() {
-    document_.end_gesture();
     const auto moving = path_.finish(*catalogue_, before_path_);
+    document_.change(run().id, moving ? *moving : before_path_, true); // one edit with the drag
+    document_.end_gesture();
     if (!moving) {
         messages_.say({"The path is too short; draw it again.", false});
         return;
     }
-    document_.change(run().id, *moving);
-    document_.end_gesture();
     perform("run-again");
     messages_.say(
         {"The monitor follows the path for " + short_number(moving->time.real("end")) + " units of time.",

@@ -213,18 +213,17 @@ void Document::start_from(RunId run, std::shared_ptr<const State> state) {
         .scenario = entry.scenario, .number = entry.changes.asked, .anew = true, .start = std::move(state)});
 }
 
-bool Document::go_on_from(RunId run, int iteration) {
+void Document::go_on_from(RunId run, const RecordedIterate& iterate) {
     DocumentRun& entry = live(run);
-    const auto iterate = entry.recording ? entry.recording->with_state(iteration) : nullptr;
-    if (!iterate || entry.opening) return false;
+    if (entry.opening) return; // the state is of other values
     entry.changes.asked_for_good = ++entry.changes.asked;
-    entry.wants_to_run = true;
+    entry.wants_to_run = false;
     entry.solver->post(ChangeCommand{.scenario = entry.scenario,
                                      .number = entry.changes.asked,
                                      .anew = true,
-                                     .start = iterate->state(),
-                                     .time = time_of(iterate->report())});
-    return true;
+                                     .paused = true,
+                                     .start = iterate.state(),
+                                     .time = time_of(iterate.report())});
 }
 
 void Document::replace(RunId run, const Scenario& scenario) {

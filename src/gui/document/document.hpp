@@ -78,9 +78,8 @@ class Document {
     void reset(RunId run); ///< to the start, paused
     /// Runs from a state, such as that of a file, without an edit. If it does not fit, the mesh stays.
     void start_from(RunId run, std::shared_ptr<const State> state);
-    /// Solves on from the recorded iterate with a state that is nearest before an iteration, at its time.
-    /// False if there is none.
-    bool go_on_from(RunId run, int iteration);
+    /// Goes back to a recorded iterate that has its state, at its time, and pauses there.
+    void go_on_from(RunId run, const RecordedIterate& iterate);
 
     /// Adds a copy of a run as it is now, with a name of its own. Nothing before the first report.
     std::optional<RunId> keep(RunId run);

@@ -96,8 +96,8 @@ std::vector<StatusCell> status_cells(const DocumentRun& run, int iteration) {
     if (const auto time = now ? time_of(*now) : std::nullopt)
         cells.push_back({"Time t", short_number(*time, 5), Tone::plain, "of the monitor, which moves"});
     if (now && is_time_step(*now))
-        cells.push_back({"Iterations", short_number(*now->value(time_names::iterations)), Tone::plain,
-                         "of this time step"});
+        cells.push_back({"Iterations of the step", short_number(*now->value(time_names::iterations)),
+                         Tone::plain, "of this time step"});
     else
         cells.push_back({"Iteration", now ? std::to_string(now->iteration) : none});
     for (const char* name : {"residual", "equidistribution", "min_jacobian"}) {
@@ -129,6 +129,7 @@ std::string method_note(const DocumentRun& run, const Catalogue& catalogue, int 
     const std::span<const StepReport> rows = up_to(run.history, iteration);
     for (std::size_t i = rows.size(); i-- > 1;) {
         const StepReport& report = rows[i];
+        if (is_time_step(rows.back()) && !is_time_step(report)) break; // of the solve for the start
         if (report.note.empty()) continue;
         return catalogue.method(run.scenario.method.type).label + ", from iteration " +
                std::to_string(report.iteration) + ": " + report.note;

@@ -113,6 +113,10 @@ class Stroke {
             flush();
             points_.push_back(start);
         }
+        if (points_.size() > 1 && turns_back(points_[points_.size() - 2], start, to_screen(to))) {
+            flush();
+            points_.push_back(start);
+        }
         points_.push_back(to_screen(to));
         if (points_.size() < 4000) return;
         flush();
@@ -127,6 +131,10 @@ class Stroke {
     }
 
   private:
+    /// Where ImGui's joint of the two segments would be thinner than the line.
+    static bool turns_back(ImVec2 a, ImVec2 b, ImVec2 c) {
+        return (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y) < 0;
+    }
     static ImVec2 to_screen(DPoint p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
     void flush() {
         if (points_.size() > 1)

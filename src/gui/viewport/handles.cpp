@@ -84,8 +84,9 @@ static bool moves(const Scenario& scenario, const std::string& key, bool first_p
     return scenario.time.has(motion) && !scenario.time.text(motion).empty();
 }
 
-std::vector<Handle> monitor_handles(const Scenario& scenario) {
+std::vector<Handle> monitor_handles(const Scenario& scenario, bool moving) {
     std::vector<Handle> handles = point_handles(scenario.monitor.values), at_rest;
+    if (moving) return handles;
     for (Handle& handle : handles) {
         const bool first = &handle == &handles.front();
         if (!moves(scenario, handle.first, first) && !moves(scenario, handle.second, first))

@@ -23,8 +23,8 @@ struct Handle {
     bool of_source = false;                  ///< of the domain from which a map goes to another one
 };
 
-/// Of the monitor, without those that the time moves.
-std::vector<Handle> monitor_handles(const Scenario& scenario);
+/// Of the monitor, without those that the time moves unless these are asked for as well.
+std::vector<Handle> monitor_handles(const Scenario& scenario, bool moving = false);
 /// Of the domain: the centres of shapes; control points of the patch that a snapshot is of, or as the
 /// scenario has moved them since; points of curves.
 std::vector<Handle> domain_handles(const Scenario& scenario, const Snapshot& snapshot);

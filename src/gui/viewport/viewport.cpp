@@ -49,7 +49,8 @@ void draw_caption(ImDrawList& list, const ViewportPlan& plan, const Theme& theme
     for (const auto& line : lines) {
         float x = rect.min.x + margin * scale;
         for (const std::string& part : line) {
-            const bool is_status = &line == &lines.back() && &part == &line.back();
+            const bool is_status = &line == &lines.back() && &part == &line.back() &&
+                                   part == status_name(plan.text.report.status);
             const float top = y + (line_height() - ImGui::GetFontSize()) / 2;
             list.AddText({x, top}, packed(is_status ? status : theme.text), part.c_str());
             x += ImGui::CalcTextSize(part.c_str()).x + 4 * gap * scale;

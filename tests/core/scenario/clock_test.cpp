@@ -45,6 +45,11 @@ TEST_F(ClockTest, StepsEndAtTheEnd) {
     EXPECT_EQ(shorter_last.time(2), 0.9);
     EXPECT_EQ(shorter_last.time(3), 1.0);
     EXPECT_EQ(shorter_last.nearest(0.72), 1);
+    const Clock short_last = clock({"time.step=0.45"});
+    EXPECT_EQ(short_last.nearest(1), 3) << "0, 0.45, 0.9, 1";
+    EXPECT_EQ(short_last.nearest(0.96), 3);
+    EXPECT_EQ(short_last.nearest(0.94), 2);
+    EXPECT_EQ(format_number(clock({"time.step=0.1"}).time(3)), "0.3");
     EXPECT_EQ(shorter_last.nearest(-3), 0);
     EXPECT_EQ(shorter_last.nearest(7), 3);
     EXPECT_EQ(clock({"time.step=0.1"}).steps(), 10) << "rounding adds no step";
@@ -60,7 +65,7 @@ TEST_F(ClockTest, ParametersAreFormulasOfTheTime) {
     EXPECT_DOUBLE_EQ(value(moves, 1, "center_x"), 0.25) << "periodic";
     EXPECT_DOUBLE_EQ(value(moves, 1, "center_y"), 0.5) << "stays";
     EXPECT_EQ(complaint({"time.monitor.radius=0.25 - t"}),
-              "time.monitor.radius is -0.25 at t = 0.5; monitor.radius must be 0 to 0.5");
+              "time.monitor.radius is −0.25 at t = 0.5; monitor.radius must be 0 to 0.5");
     EXPECT_NE(complaint({"time.monitor.radius=speed*t"}).find("'speed' is not t"), std::string::npos);
     EXPECT_NE(complaint({"time.monitor.radius=x"}).find("must not depend on x"), std::string::npos);
     EXPECT_NE(complaint({"time.monitor.radius=0.1/(1 - 2*t)"}).find("not a finite number at t = 0.5"),
@@ -83,6 +88,11 @@ TEST_F(ClockTest, APathGoesThroughItsPlacesAndRestsAtItsEnds) {
     EXPECT_DOUBLE_EQ(value(moves, 0.5, "center_x"), 0.4);
     EXPECT_DOUBLE_EQ(value(moves, 0.5, "center_y"), 0.9);
     EXPECT_NEAR(value(moves, 1, "center_x"), 0.2, 1e-12) << "across the border";
+    const std::string both = complaint({"time.path=0 0.5 0.5; 1 0.6 0.6", "time.monitor.center_x=t"});
+    EXPECT_NE(both.find("both move the monitor"), std::string::npos) << both;
+    const Clock to_the_wall =
+        clock({"domain.boundary=walls", "time.path=0 0.5 0.5; 0.2 0.9 0.5; 0.3 1 0.5; 0.4 1 0.5; 1 0.6 0.5"});
+    for (int i = 0; i <= 100; ++i) EXPECT_LE(value(to_the_wall, i / 100.0, "center_x"), 1.0) << i;
     const double h = 1e-5; // the curve has a slope at its places
     const auto slope = [&](double t, double to) {
         return (value(moves, t + to, "center_x") - value(moves, t, "center_x")) / to;
@@ -128,11 +138,11 @@ TEST_F(ClockTest, TimeIsReadAndWritten) {
     EXPECT_EQ(modified_keys(scenario, other), std::vector<std::string>{"monitor.type"});
 }
 
-TEST_F(ClockTest, WhatFollowsIsNoMotion) {
+TEST_F(ClockTest, TheSpeedInTheWindowIsNoOtherTime) {
     const Scenario one = moving({"time.monitor.center_x=t"});
-    EXPECT_TRUE(same_motion(one.time, moving({"time.monitor.center_x=t", "time.rule=tolerance"}).time));
-    EXPECT_FALSE(same_motion(one.time, moving({"time.monitor.center_x=2*t"}).time));
-    EXPECT_FALSE(same_motion(one.time, moving({"time.monitor.center_x=t", "time.end=3"}).time));
+    EXPECT_TRUE(same_time(one.time, moving({"time.monitor.center_x=t", "time.speed=2"}).time));
+    EXPECT_FALSE(same_time(one.time, moving({"time.monitor.center_x=2*t"}).time));
+    EXPECT_FALSE(same_time(one.time, moving({"time.monitor.center_x=t", "time.end=3"}).time));
 }
 
 } // namespace

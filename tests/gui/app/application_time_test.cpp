@@ -38,7 +38,7 @@ TEST_F(TimeApplicationTest, ShowsTheTimeAndPlotsAgainstIt) {
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
     frame();
     EXPECT_EQ(status_of("Time t"), "1");
-    EXPECT_NE(status_of("Iterations"), "") << "of the time step";
+    EXPECT_NE(status_of("Iterations of the step"), "") << "of the time step";
     EXPECT_EQ(application.items().count("handle.center_x"), 0u) << "the time moves it";
     EXPECT_GT(item("time").width(), 0);
     EXPECT_GT(item("time.end").width(), 0) << "the section is open where there is time";
@@ -59,7 +59,13 @@ TEST_F(TimeApplicationTest, GoesOnFromTheTimeThatIsShown) {
     EXPECT_LT(shown, 0.7);
     EXPECT_TRUE(application.press_key("Ctrl+G"));
     EXPECT_EQ(application.document().runs().size(), 2u) << "what was there is kept";
-    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
+    EXPECT_TRUE(wait_until([&] { return run().history.size() == 1; }));
+    for (int i = 0; i < 20; ++i) frame();
+    EXPECT_FALSE(run().wants_to_run) << "values may be changed first";
+    EXPECT_EQ(run().history.size(), 1u);
+    application.press_key("Space");
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
     const auto first = time_of(run().history.front());
     ASSERT_TRUE(first.has_value());
     EXPECT_LE(*first, shown + 1e-9);
@@ -106,6 +112,16 @@ TEST_F(TimeApplicationTest, APathThatIsDrawnMovesTheMonitor) {
     ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
     EXPECT_EQ(run().status.run, RunStatus::converged);
     EXPECT_EQ(time_of(run().history.back()), run().scenario.time.real("end"));
+    application.perform("undo");
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
+    EXPECT_EQ(run().scenario.time, still.time) << "drag and path are one edit";
+    EXPECT_EQ(run().scenario.monitor, still.monitor);
+    application.perform("redo");
+    frame();
+    EXPECT_EQ(application.items().count("handle.center_x"), 0u);
+    EXPECT_TRUE(application.press_key("Ctrl+M")) << "another path";
+    for (int i = 0; i < 3; ++i) frame();
+    EXPECT_EQ(application.items().count("handle.center_x"), 1u);
 }
 
 } // namespace
