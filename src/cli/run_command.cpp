@@ -12,6 +12,7 @@
 #include "core/io/state_file.hpp"
 #include "core/session/report_columns.hpp"
 #include "core/session/run.hpp"
+#include "core/session/time_series.hpp"
 #include "core/tessellate/snapshot_section.hpp"
 #include "gui/app/viewport_image.hpp"
 #include "gui/app/whole_window.hpp"
@@ -97,8 +98,13 @@ class RunProgress {
 
 void print_outcome(const Run& run, const std::filesystem::path& folder, bool other_values) {
     const StepReport& last = run.history().back();
-    std::printf("%s after %d iterations: residual %.3e, ", std::string(status_name(last.status)).c_str(),
-                last.iteration, last.residual);
+    const std::string status(status_name(last.status));
+    if (const auto time = time_of(last))
+        std::printf("%s at t = %s after %td time steps: residual %.3e, ", status.c_str(),
+                    format_number(*time).c_str(), std::ranges::count_if(run.history(), is_time_step),
+                    last.residual);
+    else
+        std::printf("%s after %d iterations: residual %.3e, ", status.c_str(), last.iteration, last.residual);
     if (const SeriesInfo* criterion = other_criterion(last))
         std::printf("%s %.3e, ", criterion->name.c_str(), last.value(criterion->name).value_or(0));
     if (const auto value = last.value("equidistribution")) // measured only with method.diagnostics=full

@@ -1,6 +1,7 @@
 #include "gui/document/document.hpp"
 
 #include "core/base/check.hpp"
+#include "core/scenario/time_rows.hpp"
 #include "core/session/time_series.hpp"
 #include "gui/base/theme.hpp"
 #include "gui/document/value_changes.hpp"
@@ -23,6 +24,7 @@ bool same(const SolverStatus& a, const SolverStatus& b) {
 } // namespace
 
 Scenario for_window(const Catalogue& catalogue, Scenario scenario) {
+    if (has_time(scenario.time)) return scenario; // its method suits meshes that follow
     const auto methods = methods_for(catalogue, scenario);
     if (std::find(methods.begin(), methods.end(), "auto") != methods.end())
         return with_method(catalogue, scenario, "auto");

@@ -1,6 +1,7 @@
 #include "gui/panels/parameter_panel.hpp"
 
 #include "core/base/error.hpp"
+#include "core/scenario/time_rows.hpp"
 #include "gui/base/icons.hpp"
 #include "gui/base/plot_text.hpp"
 #include "gui/base/value_text.hpp"
@@ -298,9 +299,13 @@ ParameterPanel::Drawn ParameterPanel::draw_scenario_row(SectionKind kind, const 
                                                         const ParameterRow& row, Scenario& scenario) {
     const Section& opened = section_of(context.opened, kind);
     Section& section = section_of(scenario, kind);
+    const bool by_clock = row.role == ParameterRole::time && has_time(scenario.time);
+    if (by_clock) ImGui::BeginDisabled();
     const Values* before =
         opened.type == section.type && has_same_row(opened.values, row) ? &opened.values : nullptr;
-    if (!draw_row(context, row, before, section.values, &scenario)) return Drawn::unchanged;
+    const bool changed = draw_row(context, row, before, section.values, &scenario);
+    if (by_clock) ImGui::EndDisabled();
+    if (!changed) return Drawn::unchanged;
     if (!redefines_rows(row)) return Drawn::changed;
     update_typed_rows(context.catalogue, scenario);
     return Drawn::other_rows;

@@ -177,12 +177,14 @@ TEST_F(ScenarioTest, FormerNamesAreReadAndPresentOnesWritten) {
     expect_present(scenario);
     expect_in("test.toml:2: view.color_map = 'gray' is unknown (did you mean 'grey'?)",
               parse_message("[view]\nmap = 'gray'\n"));
-    expect_in("allowed: single, computational, side-by-side, front-and-rear, projection, runs",
-              parse_message("[view]\nlayout = 'maps'\n"));
+    expect_in(
+        "allowed: single, computational, side-by-side, field-and-mesh, front-and-rear, projection, runs",
+        parse_message("[view]\nlayout = 'maps'\n"));
 }
 
 TEST_F(ScenarioTest, ReservedNamesAreErrorsOfTheirOwn) {
-    for (const std::string text : {"[pde]\nepsilon = 1\n", "[domain.target]\ntype = 'disk'\n", "[monitor.source]\ntype = 'ring'\n"})
+    for (const std::string text :
+         {"[pde]\nepsilon = 1\n", "[domain.target]\ntype = 'disk'\n", "[monitor.source]\ntype = 'ring'\n"})
         expect_in("is reserved", parse_message(text));
     Scenario scenario = default_scenario(catalogue);
     expect_in("is reserved", message_of([&] { apply_settings(catalogue, scenario, {"pde.epsilon=1"}); }));

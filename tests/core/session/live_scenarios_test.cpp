@@ -39,7 +39,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Live{"flow-merging", {"domain.cells=24", "monitor.cells=48", "time.end=0.2"}},
                     Live{"plane-moving-ring", {"domain.cells=24", "time.end=0.2"}},
                     Live{"front-2d", {"domain.cells=24", "monitor.u.nu=0.03", "time.end=0.12"}},
-                    Live{"sphere-rotating-cross", {"domain.refinements=3", "time.end=0.4"}},
+                    Live{"sphere-rotating-cross", {"domain.refinements=3", "time.end=0.08"}},
                     Live{"burgers-1d", {"domain.cells=24", "time.end=0.04"}}),
     [](const auto& tested) {
         std::string name = tested.param.name;
