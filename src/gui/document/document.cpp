@@ -203,7 +203,8 @@ void Document::reread(RunId run) {
     DocumentRun& entry = live(run);
     if (entry.opening) return; // they are being read
     entry.changes.asked_for_good = ++entry.changes.asked;
-    entry.solver->post(ChangeCommand{entry.scenario, entry.changes.asked, false, true});
+    entry.solver->post(
+        ChangeCommand{.scenario = entry.scenario, .number = entry.changes.asked, .reread = true});
 }
 
 void Document::start_from(RunId run, std::shared_ptr<const State> state) {
