@@ -281,6 +281,37 @@ TEST_F(GlbTest, KeepsItsShapeFarFromTheOrigin) {
     EXPECT_EQ(distinct.size(), 4225u);
 }
 
+TEST_F(GlbTest, ColoursMoveWithTheFramesOfAnAnimation) {
+    const auto frame = [](double left, double right) {
+        Snapshot snapshot = snapshot_of(unit_square_mesh(4));
+        for (Field& field : snapshot.fields)
+            if (field.name == "monitor")
+                for (std::size_t i = 0; i < field.values.size(); ++i)
+                    field.values[i] = snapshot.x.x[i] < 0.5 ? left : right;
+        return std::make_shared<const Snapshot>(std::move(snapshot));
+    };
+    const auto first = frame(4, 1), last = frame(1, 2);
+    ASSERT_NE(first->field("monitor"), nullptr);
+    write_animated_glb(file_, {first, frame(1, 4), last}, 10);
+    const std::string bytes = read_file(file_);
+    const Json json = json_of(bytes);
+    const Json& faces = json["meshes"][0]["primitives"][0];
+    ASSERT_EQ(faces["targets"].size(), 2u);
+    const auto colours = [&](const Json& attributes) {
+        return positions_in(bytes, json, attributes["COLOR_0"].get<std::size_t>());
+    };
+    const auto base = colours(faces["attributes"]), to_first = colours(faces["targets"][0]),
+               to_second = colours(faces["targets"][1]);
+    ASSERT_EQ(base.size(), to_first.size());
+    for (std::size_t i = 0; i < base.size(); ++i) {
+        const bool left = first->x.x[i] < 0.5;
+        const Vec3 there = base[i] + to_first[i], later = base[i] + to_second[i];
+        const Vec3 dark{0.05, 0, 0.1}, bright{1, 0.8, 0.02}; // the ends of viridis, in linear light
+        EXPECT_LT(norm(there - (left ? bright : dark)), 0.1) << "one range of colours for all frames";
+        EXPECT_LT(norm(later - (left ? dark : bright)), 0.1);
+    }
+}
+
 TEST_F(GlbTest, HasNoTranslationNearTheOrigin) {
     const Glb glb(file_, snapshot_of(unit_square_mesh(4)));
     EXPECT_FALSE(glb.json["nodes"][0].contains("translation"));
