@@ -142,8 +142,9 @@ int compare_command(std::shared_ptr<const Catalogue> catalogue, const CompareArg
             outcome.add(method, run, std::string(status_name(run.status())));
         } catch (const Interrupted&) { // before its first iteration
             break;
-        } catch (const InputError&) {
-            throw;
+        } catch (const InputError& error) { // such as a method that needs a PDE, if the user has not named it
+            if (arguments.methods || (rows.empty() && method == methods.back())) throw;
+            std::fprintf(stderr, "gaspard: %s is left out: %s\n", method.c_str(), error.what());
         } catch (const std::exception& error) { // this method failed; continue with the others
             std::fprintf(stderr, "gaspard: %s: %s\n", method.c_str(), error.what());
             failed = true;
