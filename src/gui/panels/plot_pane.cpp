@@ -202,8 +202,20 @@ bool PlotPane::draw_curves(const Document& document, Shown& plot, const Plot& st
     return menu;
 }
 
-/// A run that begins to move in time is plotted against the time.
-void PlotPane::suit_time(const Document& document) {
+/// A run that begins to move in time is plotted against the time, and a plot that no run has is another one.
+void PlotPane::suit(const Document& document) {
+    const bool reported =
+        std::ranges::any_of(document.runs(), [](const auto& run) { return !run.history.empty(); });
+    const std::vector<RunPlot> plots = plots_of(document.runs());
+    constexpr std::array<std::string_view, 2> usual{"residual", "equidistribution"};
+    for (std::size_t i = 0; i < plots_.size() && reported; ++i) {
+        const auto is_named = [](std::string_view name) {
+            return [name](const RunPlot& plot) { return plot.name == name; };
+        };
+        if (std::ranges::any_of(plots, is_named(plots_[i].choice.plot))) continue;
+        const auto other = std::ranges::find_if(plots, is_named(usual[i]));
+        if (other != plots.end()) choose(i, with_plot(document.runs(), plots_[i].choice, *other));
+    }
     const bool moves = has_time_steps(document.runs());
     if (!std::exchange(moved_, moves) && moves)
         for (Shown& plot : plots_)
@@ -223,7 +235,7 @@ std::optional<PlotWish> PlotPane::frame(const Document& document, const ItemRect
     std::optional<PlotWish> wish;
     sweep_.reset();
     pointed_.reset();
-    suit_time(document);
+    suit(document);
     const auto draw = [&](const std::string& name, const ItemRectangle& part, Shown& plot,
                           const Plot& study) {
         if (!(part.width() > 0)) return; // there is no space for it

@@ -63,7 +63,7 @@ class PlotPane {
                      const FrameContext& context);
     std::optional<PlotWish> draw_menu(const std::string& name, const Document& document, Shown& plot,
                                       const FrameContext& context);
-    void suit_time(const Document& document);
+    void suit(const Document& document);
     /// True when a menu is asked for.
     bool draw_curves(const Document& document, Shown& plot, const Plot& study, const FrameContext& context,
                      const StepReport* cursor);

@@ -43,6 +43,14 @@ class PlotPaneTest : public testing::Test {
     std::optional<PlotWish> wish;
 };
 
+TEST_F(PlotPaneTest, APlotThatNoRunHasBecomesAnotherOne) {
+    pane.choose(0, {.plot = "mesh-speed", .abscissa = "time"}); // of a scenario with time
+    pane.choose(1, {.plot = "step-iterations"});
+    frame();
+    EXPECT_EQ(pane.choices()[0], PlotChoice{});
+    EXPECT_EQ(pane.choices()[1].plot, "equidistribution");
+}
+
 TEST_F(PlotPaneTest, EveryPlotChoosesWhatItShows) {
     frame(), frame();
     EXPECT_EQ(pane.choices()[0].plot, "residual");
