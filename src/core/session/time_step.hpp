@@ -22,7 +22,7 @@ struct Run::StepMesh {
 };
 
 /// Changes the state and the data of a course from one time to another.
-class Run::TimeStep {
+class [[gnu::visibility("hidden")]] Run::TimeStep { // the library does not export it
   public:
     TimeStep(const Run& run, Course& course, std::stop_token stop);
     /// To the time of `following`, from its time before. A mesh that is not solved is that of the attempt
