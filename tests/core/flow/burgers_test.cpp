@@ -10,21 +10,6 @@
 namespace gaspard {
 namespace {
 
-/// The L2 norm of the error, by a Gauss rule on every cell.
-double l2_error(const Burgers& equation, const BurgersData& exact) {
-    const double third = std::sqrt(0.6), places[3] = {(1 - third) / 2, 0.5, (1 + third) / 2},
-                 weights[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
-    double sum = 0;
-    for (std::size_t k = 0; k + 1 < equation.x().size(); ++k)
-        for (std::size_t q = 0; q < 3; ++q) {
-            const double left = equation.x()[k], width = equation.x()[k + 1] - left, s = places[q];
-            const double u = (1 - s) * equation.u()[k] + s * equation.u()[k + 1];
-            const double e = u - exact(left + s * width, equation.time());
-            sum += weights[q] * width * e * e;
-        }
-    return std::sqrt(sum);
-}
-
 double front_error(std::size_t cells, double nu, bool adapted) {
     const BurgersData exact = burgers_front(nu, 0.25);
     Burgers equation({.cells = cells, .nu = nu, .adapted = adapted}, exact);
