@@ -123,7 +123,7 @@ std::string write_path(const std::vector<PathPoint>& path) {
     return text;
 }
 
-Clock::Clock(const Catalogue& catalogue, Scenario scenario)
+Clock::Clock(Scenario scenario)
     : scenario_(std::move(scenario)), start_(scenario_.time.real("start")), end_(scenario_.time.real("end")),
       step_(scenario_.time.real("step")) {
     GASPARD_CHECK(end_ > start_);
@@ -138,7 +138,6 @@ Clock::Clock(const Catalogue& catalogue, Scenario scenario)
         throw InputError("time.step = " + short_number(step_) + " is too small for times of the size of " +
                          short_number(largest));
     const Values& monitor = scenario_.monitor.values;
-    on_sphere_ = space_of(catalogue, scenario_).kind == SpaceKind::sphere;
     for (const ParameterRow& row : monitor.rows())
         if (row.role == ParameterRole::time) times_.push_back(row.key);
     for (const ParameterRow& row : scenario_.time.rows()) {
@@ -158,21 +157,7 @@ Clock::Clock(const Catalogue& catalogue, Scenario scenario)
         }
     }
     path_ = parse_path(scenario_.time.text("path"));
-    if (!path_.empty()) {
-        const auto first_role = on_sphere_ ? ParameterRole::latitude : ParameterRole::x,
-                   second_role = on_sphere_ ? ParameterRole::longitude : ParameterRole::y;
-        const ParameterRow *first = find_role(monitor.rows(), first_role),
-                           *second = find_role(monitor.rows(), second_role);
-        if (!first || !second)
-            throw InputError("time.path moves a point, and monitor '" + scenario_.monitor.type +
-                             "' has none");
-        first_key_ = first->key, second_key_ = second->key;
-        if (on_sphere_) check_places_on_sphere(path_);
-        for (const std::string& key : {first_key_, second_key_})
-            if (const std::string motion = std::string(moving_prefix) + key;
-                !scenario_.time.text(motion).empty())
-                throw InputError("time.path and time." + motion + " both move the monitor; leave one empty");
-    }
+    if (!path_.empty()) take_path();
     Values values = scenario_.monitor.values;
     for (int i = 0; i <= std::min(steps_, moments_checked); ++i)
         move(values, time(static_cast<int>(
@@ -180,6 +165,26 @@ Clock::Clock(const Catalogue& catalogue, Scenario scenario)
 }
 
 Clock::~Clock() = default;
+
+/// Which point goes along the path.
+void Clock::take_path() {
+    const MovingPoint point = moving_point(scenario_.monitor.values);
+    if (!point)
+        throw InputError("time.path moves a point, and monitor '" + scenario_.monitor.type + "' has none");
+    on_sphere_ = point.on_sphere();
+    if (on_sphere_) check_places_on_sphere(path_);
+    first_key_ = point.first->key, second_key_ = point.second->key;
+    for (const std::string& key : {first_key_, second_key_})
+        if (const std::string motion = std::string(moving_prefix) + key; !scenario_.time.text(motion).empty())
+            throw InputError("time.path and time." + motion + " both move the monitor; leave one empty");
+}
+
+MovingPoint moving_point(const Values& monitor) {
+    const auto& rows = monitor.rows();
+    if (const ParameterRow* latitude = find_role(rows, ParameterRole::latitude))
+        return {latitude, find_role(rows, ParameterRole::longitude)};
+    return {find_role(rows, ParameterRole::x), find_role(rows, ParameterRole::y)};
+}
 
 /// Without the rounding of the sum: 0.3, not 0.30000000000000004.
 double Clock::time(int k) const {
@@ -251,8 +256,8 @@ void Clock::move_along_path(Values& values, double t) const {
     set(first_key_, first), set(second_key_, second);
 }
 
-std::shared_ptr<const Clock> make_clock(const Catalogue& catalogue, const Scenario& scenario) {
-    return has_time(scenario.time) ? std::make_shared<const Clock>(catalogue, scenario) : nullptr;
+std::shared_ptr<const Clock> make_clock(const Scenario& scenario) {
+    return has_time(scenario.time) ? std::make_shared<const Clock>(scenario) : nullptr;
 }
 
 } // namespace gaspard

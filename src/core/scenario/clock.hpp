@@ -10,7 +10,7 @@
 //   - parameters that are a time (ParameterRole::time), such as t of a formula: they are t.
 #pragma once
 
-#include "core/scenario/catalogue.hpp"
+#include "core/scenario/scenario.hpp"
 
 #include <memory>
 #include <optional>
@@ -34,7 +34,7 @@ class Clock {
 
     /// Of a scenario with time (has_time). Throws InputError if a formula or the path is invalid, if there
     /// are more than most_steps, or if at some of the times a value is out of its range.
-    Clock(const Catalogue& catalogue, Scenario scenario);
+    explicit Clock(Scenario scenario);
     ~Clock();
 
     int steps() const { return steps_; } ///< K
@@ -46,6 +46,7 @@ class Clock {
 
   private:
     struct Motion;
+    void take_path();
     void move(Values& values, double t) const;
     void move_along_path(Values& values, double t) const;
 
@@ -59,7 +60,15 @@ class Clock {
     std::vector<std::string> times_; ///< keys of parameters that are a time
 };
 
+/// The rows of the point of a monitor that a path moves, its first one; null if it has none.
+struct MovingPoint {
+    const ParameterRow *first = nullptr, *second = nullptr; ///< x and y, or latitude and longitude
+    bool on_sphere() const { return first && first->role == ParameterRole::latitude; }
+    explicit operator bool() const { return first && second; }
+};
+MovingPoint moving_point(const Values& monitor);
+
 /// Null if the scenario has no time.
-std::shared_ptr<const Clock> make_clock(const Catalogue& catalogue, const Scenario& scenario);
+std::shared_ptr<const Clock> make_clock(const Scenario& scenario);
 
 } // namespace gaspard

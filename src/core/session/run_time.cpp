@@ -64,7 +64,7 @@ ProblemData Run::data_of(const Course& course, const Progress& progress, std::st
 void Run::set_clock(Course& course, std::optional<double> t) const {
     course.following.reset();
     if (course.own) return; // the caller's monitor, which the caller moves
-    const auto clock = make_clock(*catalogue_, course.problem.scenario);
+    const auto clock = make_clock(course.problem.scenario);
     if (!clock) return;
     course.following =
         std::make_shared<const Following>(Following{.clock = clock, .step = t ? clock->nearest(*t) : 0});

@@ -15,14 +15,6 @@ constexpr double shortest = 0.3;  // seconds of a path
 constexpr double steps = 200;     // of the time
 constexpr double precision = 1e4; // places are rounded to 1 / precision of a unit
 
-/// The rows of the point that a path moves (clock.hpp); null if the monitor has none.
-std::pair<const ParameterRow*, const ParameterRow*> rows_of_point(const Values& monitor) {
-    const auto& rows = monitor.rows();
-    if (const ParameterRow* latitude = find_role(rows, ParameterRole::latitude))
-        return {latitude, find_role(rows, ParameterRole::longitude)};
-    return {find_role(rows, ParameterRole::x), find_role(rows, ParameterRole::y)};
-}
-
 /// The image of a periodic coordinate that is nearest to the one before.
 double nearest_image(const ParameterRow& row, double value, double before) {
     const double period = row.maximum - row.minimum;
@@ -35,8 +27,9 @@ double rounded(double value) { return std::round(value * precision) / precision;
 
 void PathDrawing::add(const Scenario& scenario, const std::string& first, double seconds) {
     const Values& monitor = scenario.monitor.values;
-    const auto [one, other] = rows_of_point(monitor);
-    if (!armed_ || !one || !other || one->key != first) return;
+    const MovingPoint point_of_monitor = moving_point(monitor);
+    const auto [one, other] = point_of_monitor;
+    if (!armed_ || !point_of_monitor || one->key != first) return;
     if (path_.empty()) begin_ = seconds;
     PathPoint point{rounded(seconds - begin_), monitor.real(one->key), monitor.real(other->key)};
     if (!path_.empty()) {
@@ -52,7 +45,7 @@ std::optional<Scenario> PathDrawing::finish(const Catalogue& catalogue, const Sc
     const std::vector<PathPoint> path = std::exchange(path_, {});
     if (path.size() < 2 || path.back().t < shortest) return std::nullopt;
     Scenario scenario = before;
-    const auto [one, other] = rows_of_point(before.monitor.values);
+    const auto [one, other] = moving_point(before.monitor.values);
     for (const ParameterRow* row : {one, other})
         scenario.time.set(std::string(moving_prefix) + row->key, std::string());
     scenario.time.set("path", write_path(path));

@@ -19,7 +19,7 @@ class ClockTest : public testing::Test {
         return scenario;
     }
     Clock clock(const std::vector<std::string>& settings, const std::string& name = "plane-ring") {
-        return Clock(catalogue, moving(settings, name));
+        return Clock(moving(settings, name));
     }
     std::string complaint(const std::vector<std::string>& settings, const std::string& name = "plane-ring") {
         try {
@@ -53,7 +53,7 @@ TEST_F(ClockTest, StepsEndAtTheEnd) {
     EXPECT_EQ(shorter_last.nearest(-3), 0);
     EXPECT_EQ(shorter_last.nearest(7), 3);
     EXPECT_EQ(clock({"time.step=0.1"}).steps(), 10) << "rounding adds no step";
-    EXPECT_EQ(make_clock(catalogue, moving({"time.end=0"})), nullptr);
+    EXPECT_EQ(make_clock(moving({"time.end=0"})), nullptr);
     EXPECT_NE(complaint({"time.step=1e-9"}).find("more than 10000000 steps"), std::string::npos);
 }
 
@@ -115,6 +115,30 @@ TEST_F(ClockTest, OnASphereThePathIsTheShortWay) {
     EXPECT_GT(value(moves, 0.5, "center_latitude"), 10) << "a great circle, nearly";
     const Clock over_the_pole = clock({"monitor.type=bell", "time.path=0 80 0; 1 80 180"}, "sphere-x4");
     EXPECT_NEAR(value(over_the_pole, 0.5, "center_latitude"), 90, 1e-6);
+}
+
+TEST_F(ClockTest, PlacesFarApartOnASphereNeedOthersBetween) {
+    const auto complaint_of_path = [&](const std::string& path) {
+        return complaint({"monitor.type=bell", "time.path=" + path}, "sphere-x4");
+    };
+    EXPECT_NE(complaint_of_path("0 0 0; 1 0 180").find("far apart"), std::string::npos);
+    EXPECT_NE(complaint_of_path("0 90 0; 1 -90 0").find("far apart"), std::string::npos);
+    EXPECT_NE(complaint_of_path("0 300 0; 1 0 0").find("latitude 300"), std::string::npos);
+    EXPECT_EQ(complaint_of_path("0 0 0; 1 0 90; 2 0 180"), "none");
+}
+
+TEST_F(ClockTest, StepsMustBeSeenBesideTheTimes) {
+    EXPECT_NE(
+        complaint({"time.start=999999999", "time.end=999999999.000001", "time.step=1e-9"}).find("too small"),
+        std::string::npos);
+    EXPECT_EQ(complaint({"time.start=1e6", "time.end=1000000.1", "time.step=0.01"}), "none");
+}
+
+TEST_F(ClockTest, AMonitorAsFormulaMovesOn) {
+    const auto formula = with_formula(catalogue, moving({"time.monitor.center_x=center_x + 0.1*t"}));
+    ASSERT_TRUE(formula);
+    EXPECT_EQ(formula->time.text("monitor.center_x"), "center_x + 0.1*t");
+    EXPECT_DOUBLE_EQ(value(*make_clock(*formula), 1, "center_x"), 0.6);
 }
 
 TEST_F(ClockTest, TimeIsReadAndWritten) {

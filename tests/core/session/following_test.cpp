@@ -371,6 +371,15 @@ TEST_F(FollowingTest, AnInterruptedStepLeavesTheTimeBefore) {
     EXPECT_EQ(run.status(), RunStatus::converged);
 }
 
+TEST_F(FollowingTest, AMotionWithoutTimeIsTold) {
+    gaspard::Run run = make({"time.end=0"});
+    const auto report = run.monitor_report();
+    ASSERT_TRUE(report && report->notes.size() == 1);
+    EXPECT_NE(report->notes[0].find("does not move"), std::string::npos);
+    gaspard::Run moving = make();
+    EXPECT_TRUE(moving.monitor_report()->notes.empty());
+}
+
 TEST_F(FollowingTest, AMonitorOfTheCallerHasItsOwnTime) {
     gaspard::Run run = make();
     while (!run.moves()) run.step();

@@ -196,6 +196,33 @@ TEST(Film, GoesFromOneViewToAnother) {
     EXPECT_NEAR(middle.right.x, -std::sqrt(0.5), 1e-9);
 }
 
+TEST(Film, OfTimeHoldsItsCamera) {
+    const std::vector<std::string> moving{"domain.cells=8", "method.type=newton", "time.end=1",
+                                          "time.step=0.25", "time.monitor.center_x=center_x + 0.4*t"};
+    const Solved run = solved("plane-ring", moving);
+    const Film film({.motions = {.time = true}}, run.recording, run.last, run.scenario.view);
+    const std::string camera = film.frame(0).view.text("camera");
+    ASSERT_FALSE(camera.empty());
+    const Size size{static_cast<double>(run.scenario.view.integer("width")),
+                    static_cast<double>(run.scenario.view.integer("height"))};
+    const Camera shown = parse_camera(camera, size);
+    for (int k = 0; k < film.frames(); ++k) {
+        const FilmFrame frame = film.frame(k);
+        EXPECT_EQ(frame.view.text("camera"), camera);
+        for (std::size_t i = 0; i < frame.snapshot->x.size(); ++i) { // all of every mesh is in sight
+            const Vec3 from_centre = frame.snapshot->x[i] - shown.centre;
+            EXPECT_LT(std::abs(from_centre.x) / shown.scale, size.width / 2);
+            EXPECT_LT(std::abs(from_centre.y) / shown.scale, size.height / 2);
+        }
+    }
+    Values own = run.scenario.view;
+    own.set("camera", std::string("centre 0.5 0.5 height 1.2"));
+    const Film chosen({.motions = {.time = true}}, run.recording, run.last, own);
+    EXPECT_EQ(chosen.frame(1).view.text("camera"), "centre 0.5 0.5 height 1.2");
+    const Film of_iterates({.motions = {.iterations = true}}, run.recording, run.last, run.scenario.view);
+    EXPECT_EQ(of_iterates.frame(0).view.text("camera"), "");
+}
+
 TEST(Film, OfTimeBeginsWithTheSolvedMesh) {
     const Solved run = solved("plane-ring", {"domain.cells=8", "method.type=newton", "time.start=2",
                                              "time.end=3", "time.step=0.25", "time.monitor.center_x=t/10"});

@@ -50,6 +50,11 @@ TEST_F(TimeApplicationTest, ShowsTheTimeAndPlotsAgainstIt) {
     EXPECT_EQ(application.items().count("plot.first.abscissa"), 1u);
 }
 
+TEST_F(TimeApplicationTest, KeepsTheMethodOfAScenarioWithTime) {
+    EXPECT_EQ(for_window(*catalogue, find_scenario(*catalogue, "flow-live")).method.type, "newton");
+    EXPECT_EQ(for_window(*catalogue, find_scenario(*catalogue, "plane-ring")).method.type, "auto");
+}
+
 TEST_F(TimeApplicationTest, GoesOnFromTheTimeThatIsShown) {
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
     EXPECT_FALSE(application.press_key("Ctrl+G")) << "the newest is shown";
