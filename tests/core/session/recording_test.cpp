@@ -249,5 +249,40 @@ TEST(Recording, TimePassesWithItsSpeedAndLeavesOutLateSteps) {
     EXPECT_EQ(recording->at(1000000)->report().value("time"), 4.0);
 }
 
+TEST(Recording, AnotherSpeedOrAPauseLetsNoTimePass) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    const auto at_speed = [](const char* speed) {
+        return recorded_ring({"method.type=newton", "time.end=1e6", "time.step=0.01",
+                              "time.monitor.center_x=t/100", std::string("time.speed=") + speed});
+    };
+    SolverThread thread(catalogue, at_speed("1"), {});
+    const auto time = [&] {
+        const auto latest = thread.latest();
+        return latest ? latest->report.value("time").value_or(0) : 0;
+    };
+    const auto wait = [&](double seconds) {
+        for (int i = 0; i < static_cast<int>(200 * seconds); ++i) {
+            thread.drain();
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+    };
+    for (int i = 0; i < 100 && time() < 0.5; ++i) wait(0.1);
+    ASSERT_GE(time(), 0.5);
+    const auto changed_at = std::chrono::steady_clock::now();
+    const double before = time();
+    thread.post(ChangeCommand{.scenario = at_speed("0.001"), .number = 1});
+    for (int i = 0; i < 600 && thread.status().answered < 1; ++i) wait(0.01);
+    thread.post(ChangeCommand{.scenario = at_speed("2"), .number = 2});
+    wait(0.3);
+    thread.post(PauseCommand{});
+    wait(0.5);
+    thread.post(StartCommand{});
+    wait(0.1);
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - changed_at;
+    EXPECT_LT(time(), before + 2 * (taken.count() - 0.5) + 0.2)
+        << "the pause does not count, nor the time before";
+    EXPECT_GT(time(), before);
+}
+
 } // namespace
 } // namespace gaspard
