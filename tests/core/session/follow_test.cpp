@@ -64,7 +64,8 @@ TEST_F(Follow, WhatAMonitorSaysStandsInSnapshotAndSummary) {
     run.follow(std::make_shared<Talking>());
     ASSERT_NE(run.snapshot()->monitor_report, nullptr);
     EXPECT_EQ(run.snapshot()->monitor_report->notes.at(0), "3 of 5 values are missing");
-    EXPECT_NE(summary_json(run).find("\"monitor_notes\": [\n    \"3 of 5 values are missing\""), std::string::npos);
+    EXPECT_NE(summary_json(run).find("\"monitor_notes\": [\n    \"3 of 5 values are missing\""),
+              std::string::npos);
 }
 
 TEST_F(Follow, TheMapIsTheStartAndTheHistoryNew) {

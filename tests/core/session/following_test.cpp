@@ -198,6 +198,19 @@ TEST_F(FollowingTest, TheLastStepAfterAJumpIsSolved) {
               1.05 * *there.history().back().value("equidistribution"));
 }
 
+TEST_F(FollowingTest, AStepThatExceedsTheFactorIsMadeAgain) {
+    // The solved equidistribution grows, so that what was learnt is too little before it is due again.
+    gaspard::Run run = make({"time.monitor.center_x=center_x + 0.1*t",
+                             "time.monitor.amplitude=amplitude*(1 + 20*t)", "time.end=0.14"});
+    run.solve();
+    int solved = 0;
+    for (const StepReport& step : time_steps(run)) solved += step.residual < 1e-8 ? 1 : 0;
+    EXPECT_GT(solved, 1) << "not the first step alone";
+    EXPECT_EQ(time_steps(run).size(), 7u);
+    for (std::size_t i = 1; i < run.history().size(); ++i)
+        EXPECT_EQ(run.history()[i].iteration, run.history()[i - 1].iteration + 1);
+}
+
 TEST_F(FollowingTest, TheExactMeshMovesWithTheMonitor) {
     Scenario moving = find_scenario(*catalogue, "sphere-x4");
     apply_settings(*catalogue, moving,

@@ -252,7 +252,7 @@ TEST(Recording, TimePassesWithItsSpeedAndLeavesOutLateSteps) {
 TEST(Recording, AnotherSpeedOrAPauseLetsNoTimePass) {
     const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
     const auto at_speed = [](const char* speed) {
-        return recorded_ring({"method.type=newton", "time.end=1e6", "time.step=0.01",
+        return recorded_ring({"method.type=newton", "time.end=1000", "time.step=0.01",
                               "time.monitor.center_x=t/100", std::string("time.speed=") + speed});
     };
     SolverThread thread(catalogue, at_speed("1"), {});
