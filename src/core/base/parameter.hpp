@@ -63,6 +63,7 @@ struct ParameterRow {
     ParameterRole role = ParameterRole::none;
     std::string point{};   ///< coordinates only: the point they belong to ("center")
     bool periodic = false; ///< minimum and maximum are equivalent
+    bool of_all_times = false; ///< of a computation as a whole: it has no formula in t (clock.hpp)
     bool detail = false;   ///< of less interest: the window shows it on demand, or if it is changed
     /// The value stands for (value - origin) / measure, a number that does not depend on size and place of
     /// the domain. It is kept when the domain changes.

@@ -33,7 +33,8 @@ ParameterRow radius_row(double usual) {
             .maximum = 0.3,
             .scale = ParameterScale::logarithmic,
             .default_value = usual,
-            .help = "where the vorticity of a vortex has fallen to 1/e; a few cells of the flow"};
+            .help = "where the vorticity of a vortex has fallen to 1/e; a few cells of the flow",
+            .of_all_times = true};
 }
 
 std::vector<Vortex> start_vortices(const Values& values) {
@@ -99,7 +100,8 @@ std::vector<ParameterRow> flow_rows(const Space&) {
              .scale = ParameterScale::logarithmic,
              .slider = SliderRange{0.1, 100},
              .default_value = 20.0,
-             .help = "largest vorticity at the start; a vortex turns once in 4π / strength"},
+             .help = "largest vorticity at the start; a vortex turns once in 4π / strength",
+             .of_all_times = true},
             {.key = "cells",
              .label = "Cells of the flow",
              .symbol = "n",
@@ -118,6 +120,7 @@ std::vector<ParameterRow> flow_rows(const Space&) {
              .slider = SliderRange{0, 100},
              .default_value = 1.0,
              .help = "larger: vortices reach less far",
+             .of_all_times = true,
              .detail = true}};
 }
 
@@ -140,7 +143,8 @@ std::vector<ParameterRow> further_flow_rows(const Values& values, const Space&) 
              .minimum = 0.02,
              .maximum = 0.5,
              .default_value = 0.2,
-             .help = "of the two vortices; they merge at once if it is below three radii"},
+             .help = "of the two vortices; they merge at once if it is below three radii",
+             .of_all_times = true},
             radius_row(0.08)};
 }
 

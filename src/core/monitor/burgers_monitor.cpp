@@ -119,7 +119,8 @@ std::vector<ParameterRow> burgers_rows(const Space&) {
              .scale = ParameterScale::logarithmic,
              .slider = SliderRange{1e-3, 0.1},
              .default_value = 0.005,
-             .help = "a front is about 8 ν wide"},
+             .help = "a front is about 8 ν wide",
+             .of_all_times = true},
             {.key = "alpha",
              .label = "Intensity",
              .symbol = "α",
@@ -148,7 +149,8 @@ std::vector<ParameterRow> further_burgers_rows(const Values& values, const Space
              .minimum = -1,
              .maximum = 1,
              .default_value = 0.2,
-             .help = "where u = 1/2"}};
+             .help = "where u = 1/2",
+             .of_all_times = true}};
 }
 
 std::shared_ptr<const Checkpoints> burgers_history_of(const Values& values, const DataContext& context) {

@@ -116,7 +116,7 @@ std::vector<ParameterRow> following_rows() {
 std::vector<ParameterRow> time_rows(const std::vector<ParameterRow>& monitor) {
     std::vector<ParameterRow> rows = clock_rows();
     for (const ParameterRow& row : monitor) {
-        if (row.kind != ParameterKind::real || row.role == ParameterRole::time) continue;
+        if (row.kind != ParameterKind::real || row.role == ParameterRole::time || row.of_all_times) continue;
         rows.push_back({.key = std::string(moving_prefix) + row.key,
                         .label = row.label + "(t)",
                         .symbol = row.symbol.empty() ? "" : row.symbol + "(t)",

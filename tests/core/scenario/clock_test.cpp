@@ -141,6 +141,17 @@ TEST_F(ClockTest, AMonitorAsFormulaMovesOn) {
     EXPECT_DOUBLE_EQ(value(*make_clock(*formula), 1, "center_x"), 0.6);
 }
 
+TEST_F(ClockTest, WhatAComputationBeginsWithDoesNotMove) {
+    const Scenario flow = find_scenario(catalogue, "flow-live"),
+                   front = find_scenario(catalogue, "burgers-1d");
+    for (const char* key : {"strength", "froude", "radius", "t"})
+        EXPECT_FALSE(flow.time.has("monitor." + std::string(key))) << key;
+    EXPECT_TRUE(flow.time.has("monitor.contrast")) << "of the density, not of the flow";
+    EXPECT_FALSE(front.time.has("monitor.nu"));
+    EXPECT_FALSE(front.time.has("monitor.x0"));
+    EXPECT_TRUE(front.time.has("monitor.alpha"));
+}
+
 TEST_F(ClockTest, TimeIsReadAndWritten) {
     const Scenario still = find_scenario(catalogue, "plane-ring");
     EXPECT_EQ(to_toml(still).find("[time]"), std::string::npos);
