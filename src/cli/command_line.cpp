@@ -203,7 +203,7 @@ int dispatch(int argc, char** argv) {
     add_record(app, record);
     CLI::App* list = app.add_subcommand("list", "List what is available, with parameters and ranges");
     list->add_option("WHAT", what,
-                     "scenarios, domains, monitors, methods, formats, view or output (default: all)");
+                     "scenarios, domains, monitors, methods, time, formats, view or output (default: all)");
     CLI::App* show = app.add_subcommand("show", "Print the complete scenario as TOML, including defaults");
     show->add_option("SCENARIO", show_scenario, scenario_help)->required();
     add_settings(*show, show_settings);

@@ -4,6 +4,7 @@
 #include "core/base/join.hpp"
 #include "core/scenario/data_files.hpp"
 #include "core/scenario/own_names.hpp"
+#include "core/scenario/time_rows.hpp"
 
 #include <iostream>
 #include <utility>
@@ -85,6 +86,12 @@ void list_methods(const Catalogue& catalogue) {
     }
 }
 
+void list_time(const Catalogue&) {
+    std::cout << "Time\n";
+    print_head("time.monitor.KEY", "monitor.KEY as a formula in t, such as time.monitor.center_x");
+    print_rows(Values("time", time_rows({})));
+}
+
 void list_view(const Catalogue& catalogue) {
     std::cout << "View\n";
     print_rows(view_section(catalogue, catalogue.methods.front().name, catalogue.monitors.front().name));
@@ -106,8 +113,8 @@ int list_command(const Catalogue& catalogue, const std::string& what) {
     using Lister = void (*)(const Catalogue&);
     const std::vector<std::pair<std::string, Lister>> lists = {
         {"scenarios", list_scenarios}, {"domains", list_domains}, {"monitors", list_monitors},
-        {"methods", list_methods},     {"formats", list_formats}, {"view", list_view},
-        {"output", list_output}};
+        {"methods", list_methods},     {"time", list_time},       {"formats", list_formats},
+        {"view", list_view},           {"output", list_output}};
     bool found = false;
     for (const auto& [name, lister] : lists)
         if (what.empty() || what == name) {
@@ -119,7 +126,7 @@ int list_command(const Catalogue& catalogue, const std::string& what) {
         std::vector<std::string> names;
         for (const auto& list : lists) names.push_back(list.first);
         throw InputError("unknown list '" + what + "'" + did_you_mean(what, names) +
-                         "; allowed: scenarios, domains, monitors, methods, formats, view, output");
+                         "; allowed: " + join(names, ", "));
     }
     return 0;
 }

@@ -532,6 +532,8 @@ class Information(Contract):
                      "glb", "vtu", "msh", "ply", "svg", "ugrid", "output.curve_tolerance", "monitor.sharpness", "method.step_size"):
             self.assertIn(word, text)
         self.assertNotIn("relaxation", gaspard("list", "monitors").stdout)
+        for key in ("time.end", "time.rule", "time.path", "time.monitor.KEY"):
+            self.assertIn(key, gaspard("list", "time").stdout)
 
     def test_show_writes_a_monitor_as_a_formula(self):
         text = gaspard("show", "plane-bell", "--set", "monitor.amplitude=7", "--as-formula").stdout
