@@ -2,6 +2,7 @@
 // become time.path.
 #pragma once
 
+#include "core/scenario/catalogue.hpp"
 #include "core/scenario/clock.hpp"
 
 #include <optional>
