@@ -177,7 +177,7 @@ const StepReport& Run::give_up_time(const std::string& note, const Timer& timer)
 /// The same, but the next step is solved to method.tolerance.
 static std::shared_ptr<const Following> demanding(const Following& following) {
     auto changed = std::make_shared<Following>(following);
-    changed->tolerance->learn_next();
+    changed->tolerance->learn_anew();
     return changed;
 }
 

@@ -14,7 +14,7 @@ namespace gaspard {
 namespace {
 
 constexpr int most_parts = 8;          // of a time step that is not solved at once
-constexpr int most_learning = 1000;    // iterations of a step to method.tolerance, for samples
+constexpr int most_learning = 1000;    // iterations of a step that learns
 constexpr int most_returning = 200;    // iterations on coarser meshes, until the fine one is reached
 constexpr double runaway_factor = 1e3; // a time step is given up if its criterion grows so much
 
@@ -86,7 +86,7 @@ Run::TimeStep::Attempt Run::TimeStep::follow(const Following& following) {
     set_time(following, to);
     if (rule_ == time_rule::relaxation) return relax(to - from, *following.before);
     const bool samples = rule_ == time_rule::equidistribution && following.tolerance->learns();
-    const double aim = samples || !following.tolerance ? smallest() : following.tolerance->value();
+    const double aim = following.tolerance ? following.tolerance->aim() : smallest();
     const State expected = following.maps.at(to, degree_of(time_));
     Attempt best = solve(expected, aim, samples);
     const auto keep = [&](Attempt attempt) {

@@ -57,17 +57,37 @@ TEST(StepTolerance, AllowsWhatTheSamplesShow) {
     EXPECT_FALSE(tolerance.learns());
     EXPECT_FALSE(tolerance.exceeded_by(0.1049));
     EXPECT_TRUE(tolerance.exceeded_by(0.106));
-    tolerance.learn_next();
+    tolerance.learn_anew();
     EXPECT_TRUE(tolerance.learns());
     const double before = tolerance.value();
     tolerance.learn({{1e-9, 0.1}});
     EXPECT_EQ(tolerance.value(), before) << "what is solved already tells nothing";
-    EXPECT_TRUE(tolerance.learns()) << "so the next one learns";
+    tolerance.learn({{2e-7, 0.2}, {1e-7, 0.1}});
+    EXPECT_EQ(tolerance.value(), before) << "nor does what is about as small as the last";
     StepTolerance flat(1.05, 1e-8);
     flat.learn({{1e-9, 0.1}});
     EXPECT_EQ(flat.value(), 1e-8);
+    EXPECT_TRUE(flat.learns()) << "nothing is known, so the next one learns";
     flat.learn({{1e-3, 0.1}, {1e-9, 0.1}});
     EXPECT_NEAR(flat.value(), 1e-2, 1e-9) << "not far beyond what was seen";
+}
+
+TEST(StepTolerance, LearnsFromStepsThatAreSolvedMuchFarther) {
+    StepTolerance tolerance(1.05, 1e-8);
+    EXPECT_EQ(tolerance.aim(), 1e-8) << "nothing is known";
+    tolerance.learn({{1e-1, 0.3}, {1e-2, 0.12}, {1e-9, 0.1}});
+    const double enough = tolerance.value();
+    EXPECT_EQ(tolerance.aim(), enough);
+    for (int i = 0; i < 8; ++i) tolerance.learn({});
+    EXPECT_EQ(tolerance.aim(), enough / 30);
+    tolerance.learn({{1e-1, 0.3}, {1e-2, 0.12}, {enough / 40, 0.1}});
+    EXPECT_EQ(tolerance.aim(), enough) << "the same samples";
+    tolerance.learn_anew();
+    EXPECT_EQ(tolerance.aim(), 1e-8) << "after a mesh that exceeds the factor";
+    StepTolerance strict(1.05, 1e-3);
+    strict.learn({{1e-1, 0.3}, {1e-3, 0.1}});
+    strict.learn_anew();
+    EXPECT_EQ(strict.aim(), 1e-3) << "never below method.tolerance";
 }
 
 class FollowingTest : public testing::Test {
