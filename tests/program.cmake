@@ -10,7 +10,8 @@ set(timing_tests core/session/drag_test.cpp gui/app/frame_cost_test.cpp gui/scen
   gui/plot/plot_time_test.cpp)
 gaspard_test(timing_tests LABELS timing LIBRARIES gaspard_scenes SOURCES ${timing_tests})
 set(picture_tests gui/app/pdf_figure_test.cpp gui/app/whole_window_test.cpp gui/app/viewport_image_test.cpp gui/app/globe_image_test.cpp gui/app/fixture_image_test.cpp gui/app/thumbnail_image_test.cpp
-  gui/gl/imgui_renderer_test.cpp gui/plot/plot_image_test.cpp gui/render/mesh_renderer_test.cpp)
+  gui/gl/imgui_renderer_test.cpp gui/plot/plot_image_test.cpp gui/render/mesh_draft_test.cpp
+  gui/render/mesh_renderer_test.cpp)
 
 # The window's panels, with no graphics backend: all other tests of the window.
 file(GLOB_RECURSE gui_tests RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS gui/*_test.cpp)

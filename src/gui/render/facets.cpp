@@ -1,5 +1,7 @@
 #include "gui/render/facets.hpp"
 
+#include "core/base/check.hpp"
+
 #include <initializer_list>
 
 namespace gaspard {
@@ -27,6 +29,16 @@ DrawnFacets make_facets(const Tessellation& tessellation, bool quadrilaterals) {
         }
     }
     return found;
+}
+
+std::vector<Segment> segments_of(const Tessellation& tessellation) {
+    const auto& ends = tessellation.segments;
+    const auto& sides = tessellation.segment_sides;
+    GASPARD_CHECK(sides.size() == ends.size());
+    std::vector<Segment> segments(ends.size() / 2);
+    for (std::size_t i = 0; i < segments.size(); ++i)
+        segments[i] = {ends[2 * i], ends[2 * i + 1], sides[2 * i], sides[2 * i + 1]};
+    return segments;
 }
 
 } // namespace gaspard

@@ -1,5 +1,6 @@
 // The triangles of a tessellation in pairs, as the quadrilaterals that they halve. Values at four corners can
 // then be interpolated independently of the diagonal along which they are halved (shaders/mesh_fill.vert).
+// And its segments with what lies beside (shaders/mesh_line.vert).
 #pragma once
 
 #include "core/tessellate/tessellation.hpp"
@@ -23,5 +24,10 @@ struct DrawnFacets {
 
 /// `quadrilaterals`: the faces of the cells are quadrilaterals; else every triangle is a facet.
 DrawnFacets make_facets(const Tessellation& tessellation, bool quadrilaterals);
+
+/// Two ends of a segment, and what lies beside (see Tessellation::segment_sides).
+using Segment = std::array<std::uint32_t, 4>;
+
+std::vector<Segment> segments_of(const Tessellation& tessellation);
 
 } // namespace gaspard

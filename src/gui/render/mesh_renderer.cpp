@@ -15,10 +15,6 @@ namespace {
 
 constexpr std::size_t most_when_moving = 30'000; // triangles, of curved cells
 
-// Texture units.
-constexpr int computational_unit = 0, physical_unit = 1, colours_unit = 2, segments_unit = 3, cells_unit = 4,
-              cell_values_unit = 5, facets_unit = 6;
-
 // In pixels at scale 1.
 constexpr float line_cell_width = 9, disc_width = 4.5F, rimmed_disc_width = 7;
 // A tangled cell, however small, is drawn as a magenta dot in a ring of the text's colour in a ring of the
@@ -79,7 +75,7 @@ float logarithm_of(const MeshScene& scene) {
 MeshRenderer::MeshRenderer(const Gl& gl)
     : gl_(gl), fill_program_(make_program(gl, "mesh_fill")), line_program_(make_program(gl, "mesh_line")),
       arrow_program_(make_program(gl, "arrow")), tangled_array_(gl), empty_array_(gl), tangled_triangles_(gl),
-      cells_(gl), coarse_(gl), colours_(gl), layer_(gl) {
+      cells_(gl), coarse_(gl), colours_(gl), layer_(gl), draft_(gl) {
     const auto fill = [&](const char* name) { return uniform(gl, fill_program_, name); };
     const auto line = [&](const char* name) { return uniform(gl, line_program_, name); };
     const auto arrow = [&](const char* name) { return uniform(gl, arrow_program_, name); };
@@ -95,13 +91,13 @@ MeshRenderer::MeshRenderer(const Gl& gl)
               arrow("rim_width"), arrow("pull"),          arrow("ink"),        arrow("rim")};
     for (const GlProgram* program : {&fill_program_, &line_program_, &arrow_program_}) {
         gl.UseProgram(program->name());
-        gl.Uniform1i(uniform(gl, *program, "computational"), computational_unit);
-        gl.Uniform1i(uniform(gl, *program, "physical"), physical_unit);
-        gl.Uniform1i(uniform(gl, *program, "colours"), colours_unit);
-        gl.Uniform1i(uniform(gl, *program, "segments"), segments_unit);
-        gl.Uniform1i(uniform(gl, *program, "shown_cells"), cells_unit);
-        gl.Uniform1i(uniform(gl, *program, "cell_values"), cell_values_unit);
-        gl.Uniform1i(uniform(gl, *program, "facets"), facets_unit);
+        gl.Uniform1i(uniform(gl, *program, "computational"), mesh_unit::computational);
+        gl.Uniform1i(uniform(gl, *program, "physical"), mesh_unit::physical);
+        gl.Uniform1i(uniform(gl, *program, "colours"), mesh_unit::colours);
+        gl.Uniform1i(uniform(gl, *program, "segments"), mesh_unit::segments);
+        gl.Uniform1i(uniform(gl, *program, "shown_cells"), mesh_unit::cells);
+        gl.Uniform1i(uniform(gl, *program, "cell_values"), mesh_unit::cell_values);
+        gl.Uniform1i(uniform(gl, *program, "facets"), mesh_unit::facets);
     }
     gl.BindVertexArray(tangled_array_.name());
     gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, tangled_triangles_.name());
@@ -153,16 +149,6 @@ void MeshRenderer::upload_triangles(const GlVertexArray& array, const std::vecto
 void MeshRenderer::upload_segments(LineSet& set, const std::vector<Segment>& segments) {
     set.count = segments.size();
     fill(set.table, four_numbers, segments.data(), segments.size());
-}
-
-std::vector<MeshRenderer::Segment> MeshRenderer::segments_of(const Tessellation& tessellation) {
-    const auto& ends = tessellation.segments;
-    const auto& sides = tessellation.segment_sides;
-    GASPARD_CHECK(sides.size() == ends.size());
-    std::vector<Segment> segments(ends.size() / 2);
-    for (std::size_t i = 0; i < segments.size(); ++i)
-        segments[i] = {ends[2 * i], ends[2 * i + 1], sides[2 * i], sides[2 * i + 1]};
-    return segments;
 }
 
 void MeshRenderer::upload_overlay(const MeshScene& scene, bool new_centre) {
@@ -255,7 +241,7 @@ void MeshRenderer::upload_colours(const ColourMap& map) {
     const auto& colours = map.colours;
     std::vector<unsigned char> texels;
     for (const auto& c : colours) texels.insert(texels.end(), {c[0], c[1], c[2], 255});
-    gl_.ActiveTexture(GL_TEXTURE0 + colours_unit);
+    gl_.ActiveTexture(GL_TEXTURE0 + mesh_unit::colours);
     gl_.BindTexture(GL_TEXTURE_2D, colours_.name());
     gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, static_cast<GLsizei>(colours.size()), 1, 0, GL_RGBA,
                    GL_UNSIGNED_BYTE, texels.data());
@@ -305,20 +291,20 @@ void MeshRenderer::clear(PixelRect area, int bottom, const Theme& theme) {
 }
 
 void MeshRenderer::bind_points(const TexelTable& computational, const TexelTable& physical) {
-    computational.bind(gl_, computational_unit);
-    physical.bind(gl_, physical_unit);
+    computational.bind(gl_, mesh_unit::computational);
+    physical.bind(gl_, mesh_unit::physical);
 }
 
 void MeshRenderer::bind_cells(const CellSet& set) {
-    set.cells.bind(gl_, cells_unit);
-    set.facets.bind(gl_, facets_unit);
+    set.cells.bind(gl_, mesh_unit::cells);
+    set.facets.bind(gl_, mesh_unit::facets);
 }
 
 void MeshRenderer::bind_tables() {
     bind_points(computational_, physical_);
-    gl_.ActiveTexture(GL_TEXTURE0 + colours_unit);
+    gl_.ActiveTexture(GL_TEXTURE0 + mesh_unit::colours);
     gl_.BindTexture(GL_TEXTURE_2D, colours_.name());
-    cell_values_.bind(gl_, cell_values_unit);
+    cell_values_.bind(gl_, mesh_unit::cell_values);
     bind_cells(*drawn_);
 }
 
@@ -354,7 +340,7 @@ void MeshRenderer::draw_cells(const Frame& frame, Colour surface) {
 void MeshRenderer::draw_lines(const Frame& frame, const LineSet& set, const LineStyle& style) {
     if (set.count == 0) return;
     gl_.UseProgram(line_program_.name());
-    set.table.bind(gl_, segments_unit);
+    set.table.bind(gl_, mesh_unit::segments);
     gl_.UniformMatrix4fv(line_.clip, 1, GL_FALSE, glm::value_ptr(frame.clip));
     gl_.Uniform1f(line_.blend, frame.blend);
     gl_.Uniform2f(line_.half_viewport, frame.clip_to_pixels.x, frame.clip_to_pixels.y);
@@ -427,7 +413,7 @@ bool MeshRenderer::draw(const MeshScene& scene, const Camera& camera, PixelRect 
                       logarithm_of(scene),
                       {single(Vec3{} - centre_), static_cast<float>(scene.ball)},
                       single(towards_viewer(camera))};
-    const bool complete = draw_layers(frame, area, bottom, theme, scale, [&] {
+    const bool complete = draw_layers(frame, area, bottom, theme, scale, quickly, [&] {
         if (!give_up) return false;
         gl_.Finish(); // what was asked for so far is drawn
         return give_up();
@@ -440,15 +426,10 @@ bool MeshRenderer::draw(const MeshScene& scene, const Camera& camera, PixelRect 
 
 /// Of what is on the card, from the cells up. False if given up.
 bool MeshRenderer::draw_layers(const Frame& frame, PixelRect area, int bottom, const Theme& theme,
-                               float scale, const std::function<bool()>& give_up) {
+                               float scale, bool quickly, const std::function<bool()>& give_up) {
     const MeshScene& scene = shown_;
     const Colour nothing{0, 0, 0, 0};
     const bool plain = scene.colouring == nullptr;
-    const Colour surface = plain ? theme.surface : nothing;
-    set_depth_test(!frame.planar);
-    draw_cells(frame, surface);
-    if (give_up()) return false;
-
     // On denser displays lines become finer relative to the image.
     const float fineness = std::max(1.0F, 0.7F * scale);
     LineStyle style;
@@ -458,16 +439,18 @@ bool MeshRenderer::draw_layers(const Frame& frame, PixelRect area, int bottom, c
     style.fade_end = fading.end * fineness;
     style.haze = fading.haze;
     style.pull = frame.planar ? 0 : pull_pixels / frame.clip_to_pixels.z;
-    style.surface = surface;
+    style.surface = plain ? theme.surface : nothing;
     style.flat_ink = nothing;
     style.limb_begin = limb_begin, style.limb_end = limb_end;
-    if (scene.cell_dimension > 1 && scene.lines) {
-        begin_layer(frame, area);
-        draw_lines(frame, drawn_->edges, style);
-        const bool complete = !give_up();
-        end_layer(frame, area, bottom, theme.line_on_dark, theme.line_on_light);
-        if (!complete) return false;
+    set_depth_test(!frame.planar);
+    if (quickly && can_draft()) {
+        draw_draft(frame, theme, style);
+    } else {
+        draw_cells(frame, style.surface);
+        if (give_up()) return false;
+        if (scene.cell_dimension > 1 && scene.lines) draw_edges(frame, area, bottom, theme, style);
     }
+    if (give_up()) return false;
     if (scene.contours != nullptr) {
         begin_layer(frame, area);
         draw_contours(frame, style, scale);
@@ -485,6 +468,26 @@ bool MeshRenderer::draw_layers(const Frame& frame, PixelRect area, int bottom, c
     draw_tangled(frame, style, theme, scale);
     if (scene.arrows != nullptr) draw_arrows(frame, theme, scale);
     return true;
+}
+
+void MeshRenderer::draw_edges(const Frame& frame, PixelRect area, int bottom, const Theme& theme,
+                              const LineStyle& style) {
+    begin_layer(frame, area);
+    draw_lines(frame, drawn_->edges, style);
+    end_layer(frame, area, bottom, theme.line_on_dark, theme.line_on_light);
+}
+
+/// Whether every facet is a cell, and none lies over another.
+bool MeshRenderer::can_draft() const {
+    return shown_.cell_dimension == 2 && !shown_.projection && drawn_->cuts == 1 && drawn_->caps == 0 &&
+           shown_.tangled == nullptr;
+}
+
+void MeshRenderer::draw_draft(const Frame& frame, const Theme& theme, const LineStyle& style) {
+    const Colour none{0, 0, 0, 0};
+    draft_.draw(frame, drawn_->parts.facets.size(), shown_.mesh->kind.shape == CellShape::quadrilateral,
+                {style, shown_.lines ? theme.line_on_dark : none, shown_.lines ? theme.line_on_light : none,
+                 shown_.flat(), frame.planar ? 0 : dusk});
 }
 
 /// Cells that are lines: wide ones in the colours of their values, with their ends marked.
@@ -574,7 +577,7 @@ void MeshRenderer::draw_veil(const Frame& frame, const Theme& theme) {
 
 void MeshRenderer::draw_arrows(const Frame& frame, const Theme& theme, float scale) {
     gl_.UseProgram(arrow_program_.name());
-    arrows_.bind(gl_, segments_unit);
+    arrows_.bind(gl_, mesh_unit::segments);
     gl_.UniformMatrix4fv(arrow_.clip, 1, GL_FALSE, glm::value_ptr(frame.clip));
     gl_.Uniform2f(arrow_.half_viewport, frame.clip_to_pixels.x, frame.clip_to_pixels.y);
     gl_.Uniform1f(arrow_.head_width, arrow_head_width * scale);

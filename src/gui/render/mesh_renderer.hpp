@@ -9,12 +9,13 @@
 #include "gui/gl/pixel_rect.hpp"
 #include "gui/render/facets.hpp"
 #include "gui/render/line_layer.hpp"
+#include "gui/render/mesh_draft.hpp"
+#include "gui/render/mesh_frame.hpp"
 #include "gui/render/texel_table.hpp"
 #include "gui/scene/mesh_scene.hpp"
 
 #include <array>
 #include <functional>
-#include <glm/mat4x4.hpp>
 #include <memory>
 #include <vector>
 
@@ -27,7 +28,8 @@ class MeshRenderer {
 
     /// Fills `area` of the bound framebuffer, which is `framebuffer_height` high, with the theme's background
     /// and the scene. `camera` is one of an image of area.size(); `scale` widens lines on high-density
-    /// displays. `quickly`: many curved cells are subdivided less, as for a mesh that moves. False if
+    /// displays. `quickly`: nearly the same, as for a mesh that moves: many curved cells are subdivided less,
+    /// and cells and their edges are drawn as a draft where that is possible. False if
     /// `give_up`, asked before each layer, said so; then the image is not complete.
     bool draw(const MeshScene& scene, const Camera& camera, PixelRect area, int framebuffer_height,
               const Theme& theme, float scale, bool quickly = false,
@@ -37,8 +39,6 @@ class MeshRenderer {
     std::size_t uploaded_bytes() const { return uploaded_bytes_; }
 
   private:
-    /// Two ends and what lies beside (see Tessellation::segment_sides).
-    using Segment = std::array<std::uint32_t, 4>;
     struct Texel {
         float r, g, b, a;
     };
@@ -57,24 +57,7 @@ class MeshRenderer {
         std::size_t caps = 0; ///< as in the tessellation
         int cuts = 1;
     };
-    struct LineStyle {
-        float width = 1; ///< in pixels, like the two below
-        float fade_begin = 0, fade_end = 0;
-        float haze = 0, pull = 0;           ///< as in mesh_line.vert
-        Colour surface, flat_ink;           ///< as in mesh_line.frag
-        bool by_map = false;                ///< as in mesh_line.frag
-        float limb_begin = 0, limb_end = 0; ///< as in mesh_line.vert; equal: lines do not fade
-    };
-    /// What all draw calls of a scene share.
-    struct Frame {
-        glm::mat4 clip;
-        glm::vec3 clip_to_pixels;
-        float blend = 1;
-        bool planar = true;
-        float logarithm = 0; ///< as in colour_map.glsl
-        glm::vec4 ball{0};   ///< as in place.glsl
-        glm::vec3 viewer{0, 0, 1};
-    };
+    using Frame = MeshFrame;
     struct FillUniforms {
         GLint clip, blend, clip_to_pixels, surface, logarithm, flat_cells, ball, viewer, round_cells, dusk,
             nodal, pallor, first_triangle;
@@ -94,7 +77,6 @@ class MeshRenderer {
     void upload_points(const Points& points, const MeshScene& scene, bool with_values, TexelTable& table);
     void upload_cell_values(const MeshScene& scene);
     void upload_colours(const ColourMap& map);
-    static std::vector<Segment> segments_of(const Tessellation& tessellation);
     void upload_contours(const MeshScene& scene);
     void upload_overlay(const MeshScene& scene, bool new_centre);
     void upload_tangled(const MeshScene& scene);
@@ -115,9 +97,13 @@ class MeshRenderer {
         float dusk = 0, pallor = 0; ///< as in mesh_fill.frag
     };
     bool draw_layers(const Frame& frame, PixelRect area, int bottom, const Theme& theme, float scale,
-                     const std::function<bool()>& give_up);
+                     bool quickly, const std::function<bool()>& give_up);
     void draw_fill(const Frame& frame, const FillPart& part);
     void draw_cells(const Frame& frame, Colour surface);
+    void draw_edges(const Frame& frame, PixelRect area, int bottom, const Theme& theme,
+                    const LineStyle& style);
+    bool can_draft() const;
+    void draw_draft(const Frame& frame, const Theme& theme, const LineStyle& style);
     void draw_line_cells(const Frame& frame, LineStyle style, const Theme& theme, float scale);
     void draw_veil(const Frame& frame, const Theme& theme);
     void draw_tangled(const Frame& frame, LineStyle style, const Theme& theme, float scale);
@@ -146,6 +132,7 @@ class MeshRenderer {
     std::vector<float> numbers_;
     GlTexture colours_;
     LineLayer layer_;
+    MeshDraft draft_;
     const ColourMap* map_ = nullptr;             ///< what colours_ holds
     std::shared_ptr<const MeshOverlay> overlay_; ///< on the card
     std::size_t tangled_count_ = 0;              ///< corners of triangles
