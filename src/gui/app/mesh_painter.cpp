@@ -10,7 +10,7 @@ namespace gaspard {
 
 namespace {
 
-constexpr double slow_drawing = 0.05, rest_before_full = 0.3; // seconds
+constexpr double slow_drawing = 0.02, rest_before_full = 0.3; // seconds
 constexpr int nicer = 5;                                      // than the window, which answers first
 constexpr double soon = 0.06, longest_wait = 0.08;            // seconds that a frame may wait for its meshes
 

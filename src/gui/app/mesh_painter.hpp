@@ -1,7 +1,7 @@
 // Draws the meshes of a window that has no graphics card, on a thread with a context of its own, so that a
 // button or a menu never waits for a mesh.
 //
-// A mesh that takes longer than 50 ms is drawn with one sample a pixel while it
+// A mesh that takes longer than 20 ms is drawn with one sample a pixel while it
 // changes, and in full when it has rested for 0.3 s; the latter is given up as soon as something else is
 // wanted. While nobody touches the window, drawing takes at most half of the time, as the solver needs the
 // cores too.

@@ -213,7 +213,8 @@ class Window {
         while (!glfwWindowShouldClose(window_.get()) && !application_->window_state().quit &&
                !stop_.stop_requested()) {
             wait();
-            happenings_.news = false; // before collecting, so that later news start another iteration
+            // Before collecting, so that later news start another iteration.
+            brings_news_ = happenings_.news.exchange(false);
             application_->collect();
             for (const auto& file : std::exchange(happenings_.dropped, {})) application_->open_file(file);
             if (fonts_.collect() || wanted_look() != look_) restyle();
@@ -315,12 +316,15 @@ class Window {
     /// Axes and marks belong to meshes. If a frame does not wait for its meshes, they stay with those that
     /// are there.
     void hold_overlay() {
-        const bool late = painter_ && !keeps_step() && painter_->patience() == 0;
+        const bool late = painter_ && !keeps_step() && patience() == 0;
         if (late) take_painted();
         std::vector<ShownView> there;
         if (late && (painted_ || drawn_)) there = painted_ ? painted_->what.views : drawn_->views;
         application_->stay_with(std::move(there));
     }
+
+    /// Seconds that a frame waits for its meshes. An input does not wait for what the solver has done meanwhile.
+    double patience() const { return answers_input_ && brings_news_ ? 0 : painter_->patience(); }
 
     /// What moves by itself waits for its meshes.
     bool keeps_step() const {
@@ -330,7 +334,7 @@ class Window {
     /// True if they are there. While a view moves by itself, frames keep step with its meshes rather than
     /// draw panels that have not changed and take the cores from the painter; an input ends that.
     bool wait_for_meshes() {
-        if (!keeps_step()) return painter_->wait(painter_->patience());
+        if (!keeps_step()) return painter_->wait(patience());
         const double until = glfwGetTime() + longest_step;
         bool there = false;
         while (!there && !happenings_.input && glfwGetTime() < until) {
@@ -347,7 +351,8 @@ class Window {
             glfwWaitEventsTimeout(left);
         glfwPollEvents();
         pacing_.begin(causes(), glfwGetTime());
-        happenings_.input = happenings_.image = false;
+        answers_input_ = std::exchange(happenings_.input, false);
+        happenings_.image = false;
     }
 
     FrameCauses causes() const {
@@ -468,10 +473,7 @@ class Window {
         remember("height", static_cast<float>(now.height) / look_.scales.zoom);
     }
 
-    void draw() {
-        int width = 0, height = 0;
-        glfwGetFramebufferSize(window_.get(), &width, &height);
-        if (width <= 0 || height <= 0) return; // minimized
+    void lay_out() {
         ImGui_ImplGlfw_NewFrame();
         follow_input();
         // ImGui notices a click one frame later, so a double click takes up to four frames.
@@ -480,7 +482,18 @@ class Window {
         ImGui::NewFrame();
         application_->frame();
         ImGui::Render();
-        const bool shot = application_->take_screenshot_request();
+    }
+
+    void draw() {
+        int width = 0, height = 0;
+        glfwGetFramebufferSize(window_.get(), &width, &height);
+        if (width <= 0 || height <= 0) return; // minimized
+        lay_out();
+        bool shot = application_->take_screenshot_request();
+        if (answers_input_ && !shot) { // what a panel changes, those before it show one frame later
+            lay_out();
+            shot = application_->take_screenshot_request();
+        }
         const WindowPixels pixels{width, height, look_.scales.density};
         const double waited = draw_meshes(pixels, shot);
         const bool exposed = std::exchange(happenings_.exposed, false);
@@ -520,6 +533,7 @@ class Window {
     ImVec2 pointer_;                     ///< in the last frame, like the buttons
     std::array<bool, ImGuiMouseButton_COUNT> buttons_{};
     FramePacing pacing_;
+    bool answers_input_ = false, brings_news_ = false; ///< the frame that is being drawn
     FontFinder fonts_{[this] { wake(happenings_.news); }};
     std::optional<Application> application_;
     std::stop_token stop_;
