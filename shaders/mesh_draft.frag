@@ -9,7 +9,7 @@ uniform vec4 dark_ink;
 in float place;
 in vec3 away;
 in float turned;
-flat in float light;
+in float light;
 flat in vec3 strength;
 flat in vec3 softness;
 flat in float tint;

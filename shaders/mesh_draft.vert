@@ -3,7 +3,9 @@
 // facets, each corner with its place in the colour map and its distances from the edges.
 #include "place.glsl"
 uniform usampler2D facets; // four shown points around a quadrilateral; a triangle repeats its last one
-uniform bool quadrilaterals;    // in two halves each
+uniform bool quadrilaterals; // in two halves each
+uniform int cuts;            // pieces of an edge of a cell
+uniform usampler2D edges;    // if there are several: which sides of a facet lie on edges (facets.hpp)
 uniform bool flat_cells;        // each cell has a value of its own
 uniform usampler2D shown_cells; // which cell a triangle belongs to
 uniform sampler2D cell_values;
@@ -15,12 +17,13 @@ uniform vec2 fade;        // this and the next as in mesh_line.vert
 uniform float haze;
 uniform vec3 viewer;
 uniform vec2 limb;
-uniform float dusk; // as in mesh_fill.frag
+uniform float dusk;       // this and the next as in mesh_fill.frag
+uniform bool round_cells;
 
 out float place;  // along the colour map, 0 to 1
 out vec3 away;    // from the edges ab, ac, bc in pixels
 out float turned; // as in mesh_line.vert
-flat out float light;
+out float light;
 flat out vec3 strength;
 flat out vec3 softness;
 flat out float tint; // what vanished lines leave
@@ -31,6 +34,14 @@ vec4 shown(uint number) {
 }
 
 vec2 pixels(vec4 place) { return place.xy * clip_to_pixels.xy; }
+
+/// Of a half: 1 for each of ab, ac, bc on an edge.
+vec3 sides_on_edges(int facet, int which) {
+    if (cuts == 1) return vec3(1.0);
+    uint sides = texelFetch(edges, ivec2(facet & 2047, facet >> 11), 0).r;
+    if (!quadrilaterals) return vec3(sides & 1u, (sides >> 2) & 1u, (sides >> 1) & 1u);
+    return which == 0 ? vec3(sides & 1u, (sides >> 3) & 1u, 0.0) : vec3((sides >> 2) & 1u, (sides >> 1) & 1u, 0.0);
+}
 
 void main() {
     int half_facet = gl_VertexID / 3, corner = gl_VertexID - 3 * half_facet;
@@ -47,13 +58,13 @@ void main() {
     vec3 lengths = max(vec3(length(ab.xy), length(ac.xy), distance(ab.xy, ac.xy)), 1e-3);
     vec3 heights = area / lengths;
     away = heights * vec3(corner == 2, corner == 1, corner == 0);
-    strength = smoothstep(fade.x, fade.y, heights);
-    softness = 1.0 - smoothstep(1.5 * fade.y, 3.0 * fade.y, heights);
-    vec3 vanished = 2.0 * half_width * ((1.0 - strength) / max(heights, 1e-3) +
-                                        (1.0 - smoothstep(fade.x, fade.y, lengths)) / lengths);
-    if (quadrilaterals) { // bc is no edge
-        strength.z = vanished.z = 0.0;
-    }
+    vec3 spacing = heights * float(cuts), crossing = lengths * float(cuts);
+    strength = smoothstep(fade.x, fade.y, spacing);
+    softness = 1.0 - smoothstep(1.5 * fade.y, 3.0 * fade.y, spacing);
+    vec3 vanished = 2.0 * half_width * ((1.0 - strength) / max(spacing, 1e-3) +
+                                        (1.0 - smoothstep(fade.x, fade.y, crossing)) / crossing);
+    strength *= sides_on_edges(facet, half_facet & 1);
+    if (quadrilaterals) strength.z = vanished.z = 0.0; // bc is no edge
     float most = max(max(vanished.x, vanished.y), vanished.z);
     tint = haze * most / (1.0 + most);
     turned = ball.w > 0.0 && limb.y > limb.x
@@ -67,6 +78,8 @@ void main() {
     }
     if (logarithm > 0.0) place = log(1.0 + max(place, 0.0) * (exp(logarithm) - 1.0)) / logarithm;
     vec3 normal = cross(ab, ac);
-    float facing = clamp(abs(normal.z) / max(length(normal), 1e-20), 0.0, 1.0);
+    float facing = round_cells ? dot(normalize(own.xyz - ball.xyz), viewer)
+                               : abs(normal.z) / max(length(normal), 1e-20);
+    facing = clamp(facing, 0.0, 1.0);
     light = dusk > 0.0 ? 1.0 - dusk * pow(1.0 - facing, 1.6) : 1.0;
 }

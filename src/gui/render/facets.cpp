@@ -2,7 +2,9 @@
 
 #include "core/base/check.hpp"
 
+#include <algorithm>
 #include <initializer_list>
+#include <unordered_set>
 
 namespace gaspard {
 
@@ -29,6 +31,26 @@ DrawnFacets make_facets(const Tessellation& tessellation, bool quadrilaterals) {
         }
     }
     return found;
+}
+
+std::vector<std::uint32_t> sides_on_segments(const DrawnFacets& facets, const Tessellation& tessellation) {
+    const auto key = [](std::uint32_t a, std::uint32_t b) {
+        return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
+    };
+    const auto& ends = tessellation.segments;
+    std::unordered_set<std::uint64_t> segments;
+    segments.reserve(ends.size() / 2);
+    for (std::size_t i = 0; i < ends.size(); i += 2) segments.insert(key(ends[i], ends[i + 1]));
+    std::vector<std::uint32_t> sides;
+    sides.reserve(facets.facets.size());
+    for (const Facet& points : facets.facets) {
+        const std::size_t corners = points[3] == points[2] ? 3 : 4;
+        std::uint32_t found = 0;
+        for (std::size_t k = 0; k < corners; ++k)
+            if (segments.contains(key(points[k], points[(k + 1) % corners]))) found |= 1U << k;
+        sides.push_back(found);
+    }
+    return sides;
 }
 
 std::vector<Segment> segments_of(const Tessellation& tessellation) {

@@ -25,6 +25,9 @@ struct DrawnFacets {
 /// `quadrilaterals`: the faces of the cells are quadrilaterals; else every triangle is a facet.
 DrawnFacets make_facets(const Tessellation& tessellation, bool quadrilaterals);
 
+/// For each facet which of its sides lie on segments: bit k for that from point k to the next one.
+std::vector<std::uint32_t> sides_on_segments(const DrawnFacets& facets, const Tessellation& tessellation);
+
 /// Two ends of a segment, and what lies beside (see Tessellation::segment_sides).
 using Segment = std::array<std::uint32_t, 4>;
 

@@ -14,6 +14,7 @@ struct DraftLook {
     LineStyle edges;
     Colour light_ink, dark_ink; ///< transparent: no edges
     bool flat_cells = false;    ///< each cell has a value of its own
+    bool round_cells = false;   ///< as in mesh_fill.frag
     float dusk = 0;             ///< as in mesh_fill.frag
 };
 
@@ -21,15 +22,17 @@ class MeshDraft {
   public:
     /// `gl` must outlive it and be current whenever it is used and when it dies.
     explicit MeshDraft(const Gl& gl);
-    /// All facets, which are cells. The tables of mesh_unit are bound, those of the segments excepted.
-    void draw(const MeshFrame& frame, std::size_t facets, bool quadrilaterals, const DraftLook& look);
+    /// Facets, so many along an edge of a cell. The tables of mesh_unit are bound, that of the segments
+    /// excepted, and that of sides_on_segments() only if there are several.
+    void draw(const MeshFrame& frame, std::size_t facets, int cuts, bool quadrilaterals,
+              const DraftLook& look);
 
   private:
     const Gl& gl_;
     GlProgram program_;
     struct {
-        GLint clip, blend, clip_to_pixels, logarithm, ball, viewer, quadrilaterals, flat_cells, surface,
-            half_width, fade, haze, limb, dusk, light_ink, dark_ink;
+        GLint clip, blend, clip_to_pixels, logarithm, ball, viewer, quadrilaterals, cuts, flat_cells,
+            round_cells, surface, half_width, fade, haze, limb, dusk, light_ink, dark_ink;
     } uniforms_{};
     GlVertexArray empty_array_;
 };

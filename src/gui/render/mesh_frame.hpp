@@ -33,7 +33,7 @@ struct LineStyle {
 /// Texture units of the tables that shaders read.
 namespace mesh_unit {
 inline constexpr int computational = 0, physical = 1, colours = 2, segments = 3, cells = 4, cell_values = 5,
-                     facets = 6;
+                     facets = 6, edges = 7;
 } // namespace mesh_unit
 
 } // namespace gaspard

@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 #include "core/tessellate/coarse_tessellation.hpp"
+#include "gui/render/colour_place.hpp"
 #include "gui/scene/clip_matrix.hpp"
 
 #include <algorithm>
@@ -31,6 +32,7 @@ struct Fading {
 };
 constexpr Fading plain_fading{1.5F, 3.8F, 1}, coloured_fading{1.6F, 5.5F, 0.015F};
 constexpr float pull_pixels = 2;
+constexpr double smallest_facet = 9; // pixels of a triangle, on average, to be drawn with its edges
 constexpr float contour_width = 1.5F;
 constexpr float overlay_width = 1, overlay_pull = 0.004F; // the second of half the view's depth
 constexpr float dusk = 0.42F, dusk_of_caps = 0.16F;       // as in mesh_fill.frag
@@ -44,22 +46,6 @@ double view_depth(const Camera& camera, const Box& box) {
     const double offset = std::abs(dot(towards_viewer(camera), box.centre() - camera.centre));
     return 1.01 * (offset + box.size() / 2) + 1e-300;
 }
-
-/// Where values lie in a range, linearly; the shaders take the logarithm.
-class Place {
-  public:
-    explicit Place(const ColourRange& range)
-        : low_(range.low), scale_(range.high > range.low ? 1 / (range.high - range.low) : 0),
-          shift_(range.high > range.low ? 0.0F : 0.5F) {}
-    float of(double value) const {
-        const float place = static_cast<float>((value - low_) * scale_) + shift_;
-        return place - place == 0 ? place : 0.0F; // values that are not finite get the lowest colour
-    }
-
-  private:
-    double low_, scale_;
-    float shift_;
-};
 
 glm::vec3 single(Vec3 v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
@@ -120,7 +106,7 @@ void MeshRenderer::upload_points(const Points& points, const MeshScene& scene, b
         texels_[i] = {static_cast<float>(x[i] - centre_.x), static_cast<float>(y[i] - centre_.y),
                       static_cast<float>(z[i] - centre_.z), 0};
     if (with_values && scene.point_values != nullptr) {
-        const Place place(scene.colouring->range);
+        const ColourPlace place(scene.colouring->range);
         const double* values = scene.point_values->data();
         for (std::size_t i = 0; i < texels_.size(); ++i) texels_[i].a = place.of(values[i]);
     }
@@ -128,7 +114,7 @@ void MeshRenderer::upload_points(const Points& points, const MeshScene& scene, b
 }
 
 void MeshRenderer::upload_cell_values(const MeshScene& scene) {
-    const Place place(scene.colouring->range);
+    const ColourPlace place(scene.colouring->range);
     const std::vector<double>& values = scene.colouring->values;
     numbers_.resize(values.size());
     for (std::size_t i = 0; i < values.size(); ++i) numbers_[i] = place.of(values[i]);
@@ -197,6 +183,10 @@ void MeshRenderer::upload_structure(const MeshScene& scene) {
     upload_segments(discs_, discs);
 }
 
+void MeshRenderer::upload_sides(const Tessellation& tessellation, CellSet& set) {
+    if (set.cuts > 1) upload_numbers(set.sides, sides_on_segments(set.parts, tessellation));
+}
+
 /// Of the scene that is on the card.
 const MeshRenderer::CellSet& MeshRenderer::cells_for(bool quickly) {
     if (!quickly || shown_.cell_dimension == 1) return cells_;
@@ -207,6 +197,7 @@ const MeshRenderer::CellSet& MeshRenderer::cells_for(bool quickly) {
         const auto coarse = coarsened(*coarse_of_, triangles ? 3 : 4, most_when_moving);
         is_coarse_ = coarse.has_value();
         if (coarse) upload_cells(*coarse, shown_, coarse_);
+        coarse ? upload_sides(*coarse, coarse_) : upload_sides(*coarse_of_, cells_);
     }
     return is_coarse_ ? coarse_ : cells_;
 }
@@ -320,7 +311,7 @@ void MeshRenderer::draw_fill(const Frame& frame, const FillPart& part) {
     gl_.Uniform1i(fill_.flat_cells, shown_.flat() ? 1 : 0);
     gl_.Uniform4f(fill_.ball, frame.ball.x, frame.ball.y, frame.ball.z, frame.ball.w);
     gl_.Uniform3f(fill_.viewer, frame.viewer.x, frame.viewer.y, frame.viewer.z);
-    gl_.Uniform1i(fill_.round_cells, shown_.ball > 0 && shown_.tessellation->cuts > 1 ? 1 : 0);
+    gl_.Uniform1i(fill_.round_cells, is_round() ? 1 : 0);
     gl_.Uniform1f(fill_.dusk, frame.planar ? 0 : part.dusk);
     gl_.Uniform1f(fill_.pallor, part.pallor);
     gl_.Uniform1i(fill_.first_triangle, static_cast<GLint>(part.first / 3));
@@ -413,11 +404,12 @@ bool MeshRenderer::draw(const MeshScene& scene, const Camera& camera, PixelRect 
                       logarithm_of(scene),
                       {single(Vec3{} - centre_), static_cast<float>(scene.ball)},
                       single(towards_viewer(camera))};
-    const bool complete = draw_layers(frame, area, bottom, theme, scale, quickly, [&] {
-        if (!give_up) return false;
-        gl_.Finish(); // what was asked for so far is drawn
-        return give_up();
-    });
+    const bool complete = draw_layers(frame, area, bottom, theme, scale,
+                                      quickly && can_draft(scene.box.size() / camera.scale), [&] {
+                                          if (!give_up) return false;
+                                          gl_.Finish(); // what was asked for so far is drawn
+                                          return give_up();
+                                      });
     gl_.DepthMask(GL_TRUE);
     gl_.Disable(GL_DEPTH_TEST);
     gl_.Disable(GL_SCISSOR_TEST);
@@ -426,7 +418,7 @@ bool MeshRenderer::draw(const MeshScene& scene, const Camera& camera, PixelRect 
 
 /// Of what is on the card, from the cells up. False if given up.
 bool MeshRenderer::draw_layers(const Frame& frame, PixelRect area, int bottom, const Theme& theme,
-                               float scale, bool quickly, const std::function<bool()>& give_up) {
+                               float scale, bool draft, const std::function<bool()>& give_up) {
     const MeshScene& scene = shown_;
     const Colour nothing{0, 0, 0, 0};
     const bool plain = scene.colouring == nullptr;
@@ -443,7 +435,7 @@ bool MeshRenderer::draw_layers(const Frame& frame, PixelRect area, int bottom, c
     style.flat_ink = nothing;
     style.limb_begin = limb_begin, style.limb_end = limb_end;
     set_depth_test(!frame.planar);
-    if (quickly && can_draft()) {
+    if (draft) {
         draw_draft(frame, theme, style);
     } else {
         draw_cells(frame, style.surface);
@@ -477,17 +469,26 @@ void MeshRenderer::draw_edges(const Frame& frame, PixelRect area, int bottom, co
     end_layer(frame, area, bottom, theme.line_on_dark, theme.line_on_light);
 }
 
-/// Whether every facet is a cell, and none lies over another.
-bool MeshRenderer::can_draft() const {
-    return shown_.cell_dimension == 2 && !shown_.projection && drawn_->cuts == 1 && drawn_->caps == 0 &&
-           shown_.tangled == nullptr;
+/// Curved cells of a ball.
+bool MeshRenderer::is_round() const { return shown_.ball > 0 && shown_.tessellation->cuts > 1; }
+
+/// Whether facets are parts of cells as they are, none lies over another, and a line does not reach beyond
+/// those beside it. `across`: the diagonal of the mesh's box in pixels.
+bool MeshRenderer::can_draft(double across) const {
+    const double pixels = across * across / 4; // of the mesh, roughly
+    return shown_.cell_dimension == 2 && !shown_.projection && drawn_->caps == 0 &&
+           shown_.tangled == nullptr &&
+           (drawn_->cuts == 1 ||
+            3 * pixels > smallest_facet * static_cast<double>(drawn_->parts.corners.size()));
 }
 
 void MeshRenderer::draw_draft(const Frame& frame, const Theme& theme, const LineStyle& style) {
     const Colour none{0, 0, 0, 0};
-    draft_.draw(frame, drawn_->parts.facets.size(), shown_.mesh->kind.shape == CellShape::quadrilateral,
+    if (drawn_->cuts > 1) drawn_->sides.bind(gl_, mesh_unit::edges);
+    draft_.draw(frame, drawn_->parts.facets.size(), drawn_->cuts,
+                shown_.mesh->kind.shape == CellShape::quadrilateral,
                 {style, shown_.lines ? theme.line_on_dark : none, shown_.lines ? theme.line_on_light : none,
-                 shown_.flat(), frame.planar ? 0 : dusk});
+                 shown_.flat(), is_round(), frame.planar ? 0 : dusk});
 }
 
 /// Cells that are lines: wide ones in the colours of their values, with their ends marked.

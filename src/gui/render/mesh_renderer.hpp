@@ -52,6 +52,7 @@ class MeshRenderer {
         GlVertexArray array;
         GlBuffer triangles;
         TexelTable facets, cells; ///< cells: which one a triangle belongs to, or a segment
+        TexelTable sides;         ///< of sides_on_segments(), for drafts
         LineSet edges;
         DrawnFacets parts;
         std::size_t caps = 0; ///< as in the tessellation
@@ -73,7 +74,9 @@ class MeshRenderer {
     void upload(const MeshScene& scene);
     void upload_structure(const MeshScene& scene);
     void upload_cells(const Tessellation& tessellation, const MeshScene& scene, CellSet& set);
+    void upload_sides(const Tessellation& tessellation, CellSet& set);
     const CellSet& cells_for(bool quickly);
+    bool is_round() const;
     void upload_points(const Points& points, const MeshScene& scene, bool with_values, TexelTable& table);
     void upload_cell_values(const MeshScene& scene);
     void upload_colours(const ColourMap& map);
@@ -97,12 +100,12 @@ class MeshRenderer {
         float dusk = 0, pallor = 0; ///< as in mesh_fill.frag
     };
     bool draw_layers(const Frame& frame, PixelRect area, int bottom, const Theme& theme, float scale,
-                     bool quickly, const std::function<bool()>& give_up);
+                     bool draft, const std::function<bool()>& give_up);
     void draw_fill(const Frame& frame, const FillPart& part);
     void draw_cells(const Frame& frame, Colour surface);
     void draw_edges(const Frame& frame, PixelRect area, int bottom, const Theme& theme,
                     const LineStyle& style);
-    bool can_draft() const;
+    bool can_draft(double across) const;
     void draw_draft(const Frame& frame, const Theme& theme, const LineStyle& style);
     void draw_line_cells(const Frame& frame, LineStyle style, const Theme& theme, float scale);
     void draw_veil(const Frame& frame, const Theme& theme);

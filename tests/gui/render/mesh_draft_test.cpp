@@ -57,6 +57,12 @@ TEST_F(MeshDrafts, OfTrianglesAndGlobesLookLikeTheFullImage) {
     const Snapshot globe = xn_globe(icosahedral_globe(5, 1), 4);
     expect_alike("a globe", scene(globe, view("monitor", 1)), 0.95);
     expect_alike("a globe without colours", scene(globe, view("none", 1)), 0.9);
+    for (const char* colour : {"monitor", "area", "none"})
+        expect_alike(std::string("curved squares, ") + colour,
+                     scene(xn_globe(cubed_globe(12, 2), 4), view(colour, 1)), 0.9);
+    expect_alike("curved triangles", scene(xn_globe(icosahedral_globe(3, 2), 4), view("monitor", 1)), 0.9);
+    expect_alike("curved triangles without colours",
+                 scene(xn_globe(icosahedral_globe(4, 2), 4), view("none", 1)), 0.9);
     expect_alike("a globe of squares", scene(xn_globe(cubed_globe(32, 1), 4), view("area", 1)), 0.95);
 }
 
