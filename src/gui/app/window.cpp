@@ -323,7 +323,8 @@ class Window {
         application_->stay_with(std::move(there));
     }
 
-    /// Seconds that a frame waits for its meshes. An input does not wait for what the solver has done meanwhile.
+    /// Seconds that a frame waits for its meshes. An input does not wait for what the solver has done
+    /// meanwhile.
     double patience() const { return answers_input_ && brings_news_ ? 0 : painter_->patience(); }
 
     /// What moves by itself waits for its meshes.

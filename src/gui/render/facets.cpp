@@ -63,4 +63,10 @@ std::vector<Segment> segments_of(const Tessellation& tessellation) {
     return segments;
 }
 
+std::vector<Segment> segments_at_borders(const Tessellation& tessellation) {
+    std::vector<Segment> border = segments_of(tessellation);
+    std::erase_if(border, [](const Segment& one) { return one[2] != one[3] || one[2] == one[0]; });
+    return border;
+}
+
 } // namespace gaspard

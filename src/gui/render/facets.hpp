@@ -32,5 +32,7 @@ std::vector<std::uint32_t> sides_on_segments(const DrawnFacets& facets, const Te
 using Segment = std::array<std::uint32_t, 4>;
 
 std::vector<Segment> segments_of(const Tessellation& tessellation);
+/// Those with a cell on one side only.
+std::vector<Segment> segments_at_borders(const Tessellation& tessellation);
 
 } // namespace gaspard

@@ -41,12 +41,6 @@ constexpr float limb_begin = 0.04F, limb_end = 0.5F;
 
 void set_colour(const Gl& gl, GLint where, Colour c) { gl.Uniform4f(where, c.r, c.g, c.b, c.a); }
 
-/// Half the depth of the view, so that all of the box lies within it.
-double view_depth(const Camera& camera, const Box& box) {
-    const double offset = std::abs(dot(towards_viewer(camera), box.centre() - camera.centre));
-    return 1.01 * (offset + box.size() / 2) + 1e-300;
-}
-
 glm::vec3 single(Vec3 v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
@@ -172,6 +166,7 @@ void MeshRenderer::upload_cells(const Tessellation& tessellation, const MeshScen
                    scene.cell_dimension == 1 ? tessellation.segment_cells : tessellation.triangle_cells);
     set.caps = 3 * tessellation.caps;
     set.cuts = tessellation.cuts;
+    upload_segments(set.border, segments_at_borders(tessellation));
 }
 
 void MeshRenderer::upload_structure(const MeshScene& scene) {
@@ -489,6 +484,13 @@ void MeshRenderer::draw_draft(const Frame& frame, const Theme& theme, const Line
                 shown_.mesh->kind.shape == CellShape::quadrilateral,
                 {style, shown_.lines ? theme.line_on_dark : none, shown_.lines ? theme.line_on_light : none,
                  shown_.flat(), is_round(), frame.planar ? 0 : dusk});
+    // Outside, half of the edge at the border is missing; it is seen where it differs from the ground.
+    const bool light = theme.background.r > 0.5F;
+    if (!shown_.lines || (light && shown_.colouring != nullptr)) return;
+    LineStyle border = style;
+    border.flat_ink = light ? theme.line_on_light : theme.line_on_dark;
+    border.haze = 0;
+    draw_lines(frame, drawn_->border, border);
 }
 
 /// Cells that are lines: wide ones in the colours of their values, with their ends marked.

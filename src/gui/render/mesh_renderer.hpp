@@ -53,7 +53,7 @@ class MeshRenderer {
         GlBuffer triangles;
         TexelTable facets, cells; ///< cells: which one a triangle belongs to, or a segment
         TexelTable sides;         ///< of sides_on_segments(), for drafts
-        LineSet edges;
+        LineSet edges, border;    ///< border: those of the edges that are at the mesh's
         DrawnFacets parts;
         std::size_t caps = 0; ///< as in the tessellation
         int cuts = 1;

@@ -1,6 +1,13 @@
 #include "gui/scene/clip_matrix.hpp"
 
+#include <cmath>
+
 namespace gaspard {
+
+double view_depth(const Camera& camera, const Box& box) {
+    const double offset = std::abs(dot(towards_viewer(camera), box.centre() - camera.centre));
+    return 1.01 * (offset + box.size() / 2) + 1e-300;
+}
 
 glm::mat4 clip_matrix(const Camera& camera, Size size, Vec3 origin, double depth) {
     const Vec3 shift = origin - camera.centre;
