@@ -149,7 +149,7 @@ std::deque<Command> SolverThread::take_commands() {
 void SolverThread::fail(const std::string& message) {
     run_.reset();
     running_ = false;
-    published_ = 0, epoch_ = recorded_epoch_ = -1; // the next run has another history
+    sent_ = -1, epoch_ = recorded_epoch_ = -1; // the next run has another history
     begins_ = SolverEventKind::restart;
     shown_ = partly_shown_ = following_ = small_change_ = false;
     update([](SolverStatus& status) { status.run = RunStatus::failed, status.activity.clear(); });
@@ -233,7 +233,7 @@ bool SolverThread::prepare(std::stop_token stop) {
 }
 
 void SolverThread::publish(std::stop_token stop) {
-    const bool news = epoch_ != run_->epoch() || published_ < run_->history().size();
+    const bool news = epoch_ != run_->epoch() || sent_ < run_->history().back().iteration;
     const bool to_be_completed = partly_shown_ && !dragged();
     shown_ = shown_ && !news && !to_be_completed;
     if (!shown_ && !behind()) {
@@ -303,13 +303,15 @@ static long measured(const StepReport& report) {
 /// The new ones, and the last one sent if more of it has been measured. Returns false if asked to stop.
 bool SolverThread::send_reports(std::stop_token stop) {
     const auto& history = run_->history();
-    if (epoch_ != run_->epoch()) epoch_ = run_->epoch(), published_ = 0;
-    if (published_ > 0)
-        if (const StepReport& last = history[published_ - 1]; measured(last) > measured_)
+    if (epoch_ != run_->epoch()) epoch_ = run_->epoch(), sent_ = -1;
+    auto next = std::ranges::upper_bound(history, sent_, {}, &StepReport::iteration);
+    if (next != history.begin())
+        if (const StepReport& last = *std::prev(next); last.iteration == sent_ && measured(last) > measured_)
             if (!reports_.push({SolverEventKind::completion, last}, stop)) return false;
-    for (; published_ < history.size(); ++published_) {
-        const SolverEventKind kind = published_ == 0 ? begins_ : SolverEventKind::step;
-        if (!reports_.push({kind, history[published_]}, stop)) return false;
+    for (; next != history.end(); ++next) {
+        const SolverEventKind kind = sent_ < 0 ? begins_ : SolverEventKind::step;
+        if (!reports_.push({kind, *next}, stop)) return false;
+        sent_ = next->iteration;
     }
     measured_ = measured(history.back());
     return true;

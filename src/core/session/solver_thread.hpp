@@ -167,8 +167,8 @@ class SolverThread {
     Scenario scenario_;
     Options options_;
     std::unique_ptr<Run> run_;   ///< used only by the solver thread
-    std::size_t published_ = 0;  ///< number of rows of the history already in the queue
-    long measured_ = 0;          ///< how much of the last of them was measured when it was sent
+    int sent_ = -1;              ///< iteration of the last row of the history in the queue; -1: none
+    long measured_ = 0;          ///< how much of it was measured when it was sent
     int epoch_ = 0;              ///< epoch of that history
     int recorded_epoch_ = 0;     ///< epoch of the history that is recorded
     bool gesture_begun_ = false; ///< the present history began with a change of the last gesture

@@ -56,6 +56,24 @@ TEST_F(SolverThreadTest, SolvesAndReportsEveryIteration) {
     EXPECT_GT(notices.load(), 0);
 }
 
+TEST_F(SolverThreadTest, ReportsEveryTimeStepAlthoughTheRunForgetsSome) {
+    Scenario scenario = find_scenario(*catalogue, "plane-ring");
+    apply_settings(*catalogue, scenario,
+                   {"method.type=newton", "domain.cells=8", "monitor.amplitude=0.5", "time.end=10",
+                    "time.step=1e-3", "method.diagnostics_every=5", "method.interpolation=false"});
+    SolverThread thread(catalogue, scenario, {});
+    int next = 0;
+    for (bool final = false; !final;) {
+        for (const SolverEvent& event : thread.drain()) {
+            if (event.kind == SolverEventKind::completion) continue;
+            ASSERT_EQ(event.report.iteration, next++);
+            final = is_final(event.report.status);
+        }
+        std::this_thread::yield();
+    }
+    EXPECT_GT(next, 10000);
+}
+
 TEST_F(SolverThreadTest, StartsPausedStepsPausesAndGoesOn) {
     SolverThread thread(catalogue, scenario(), {.start_running = false});
     ASSERT_TRUE(eventually([&] { return thread.latest() != nullptr; }));
