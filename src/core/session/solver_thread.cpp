@@ -17,6 +17,12 @@ constexpr double near = 0.3;         // residual below which a change of values 
 constexpr double longest_wait = 0.1; // seconds
 constexpr double rest = 0.25;        // seconds after the last small change at which a drag is over
 
+/// Whether the run is not to complete a time step before this is done.
+bool ends_time_step(const Command& command) {
+    return std::holds_alternative<PauseCommand>(command) || std::holds_alternative<ResetCommand>(command) ||
+           std::holds_alternative<ChangeCommand>(command);
+}
+
 } // namespace
 
 SolverThread::SolverThread(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, Options options)
@@ -29,6 +35,7 @@ SolverThread::~SolverThread() = default; // the jthread requests a stop and join
 void SolverThread::post(Command command) {
     {
         std::lock_guard lock(mutex_);
+        if (in_time_step_ && ends_time_step(command)) activity_->request_stop();
         // Consecutive changes are merged, so that dragging a slider does not queue up work.
         auto* change = std::get_if<ChangeCommand>(&command);
         const auto* before = commands_.empty() ? nullptr : std::get_if<ChangeCommand>(&commands_.back());
@@ -123,6 +130,7 @@ bool SolverThread::cancellable(std::stop_token stop, const std::function<void(co
     const auto set_activity = [&](std::optional<std::stop_source> activity) {
         std::lock_guard lock(mutex_);
         activity_ = std::move(activity);
+        in_time_step_ = false;
     };
     set_activity(source);
     const std::stop_callback link(stop, [source]() mutable { source.request_stop(); });
@@ -191,19 +199,35 @@ void SolverThread::step(std::stop_token stop) {
     const double speed = run_->moves() ? time.real("speed") : 0;
     if (!(speed > 0)) {
         pace_.reset();
-        run_->step(stop);
+        make_step(stop);
         return;
     }
     if (!pace_ || epoch_ != run_->epoch()) pace_.emplace(), pace_from_ = *run_->time();
     const double ahead = pace_from_ + speed * pace_->seconds() - *run_->time(), dt = time.real("step");
     const double due = std::min(std::floor(ahead / dt), 1e6);
     if (due >= 1) {
-        run_->step(stop, static_cast<int>(due));
+        make_step(stop, static_cast<int>(due));
         return;
     }
     std::unique_lock lock(mutex_);
     const std::chrono::duration<double> rest(std::min((dt - ahead) / speed, 0.1));
     wake_.wait_for(lock, stop, rest, [&] { return !commands_.empty(); });
+}
+
+/// One iteration, or so many time steps at once, unless a command ends them.
+void SolverThread::make_step(std::stop_token stop, int time_steps) {
+    if (!run_->moves()) {
+        run_->step(stop);
+        return;
+    }
+    cancellable(stop, [&](const Activity& activity) {
+        {
+            std::lock_guard lock(mutex_);
+            if (!behind() && std::ranges::any_of(commands_, ends_time_step)) return;
+            in_time_step_ = true;
+        }
+        run_->step(activity.stop, time_steps);
+    });
 }
 
 /// Makes the run. Returns false if that fails or is cancelled.
@@ -326,7 +350,7 @@ void SolverThread::execute(Command command, std::stop_token stop) {
         void operator()(StepCommand&) { // immediately, so that later commands see the result
             self.running_ = false, self.pace_.reset();
             const bool possible = self.run_ && self.run_->status() == RunStatus::running;
-            if (possible && !stop.stop_requested()) self.run_->step(stop);
+            if (possible && !stop.stop_requested()) self.make_step(stop);
         }
         void operator()(ResetCommand&) {
             if (!self.run_) return;
