@@ -6,6 +6,8 @@
 #include "core/base/error.hpp"
 #include "core/base/user_path.hpp"
 #include "core/io/atomic_file.hpp"
+#include "core/io/film_files.hpp"
+#include "core/io/history_file.hpp"
 #include "core/io/image.hpp"
 #include "core/io/run_files.hpp"
 #include "core/io/run_folder.hpp"
@@ -96,13 +98,33 @@ class RunProgress {
     std::optional<double> equidistribution_;
 };
 
+void iterate(Run& run, bool quiet, HistoryFile* history, const std::stop_token& stop) {
+    RunProgress progress(quiet);
+    while (run.status() == RunStatus::running) {
+        if (stop.stop_requested()) return run.interrupt();
+        try {
+            const StepReport& report = run.step(stop);
+            if (history) history->add(report);
+            progress.show(report);
+        } catch (const Interrupted&) { // in the middle: the iterate before it is there
+            if (!stop.stop_requested()) throw;
+        }
+    }
+}
+
+/// How many have been made; the history has the first and the last.
+int time_steps(const std::vector<StepReport>& history) {
+    const auto first = std::ranges::find_if(history, is_time_step);
+    if (first == history.end()) return 0;
+    return std::find_if(history.rbegin(), history.rend(), is_time_step)->iteration - first->iteration + 1;
+}
+
 void print_outcome(const Run& run, const std::filesystem::path& folder, bool other_values) {
     const StepReport& last = run.history().back();
     const std::string status(status_name(last.status));
     if (const auto time = time_of(last))
-        std::printf("%s at t = %s after %td time steps: residual %.3e, ", status.c_str(),
-                    format_number(*time).c_str(), std::ranges::count_if(run.history(), is_time_step),
-                    last.residual);
+        std::printf("%s at t = %s after %d time steps: residual %.3e, ", status.c_str(),
+                    format_number(*time).c_str(), time_steps(run.history()), last.residual);
     else
         std::printf("%s after %d iterations: residual %.3e, ", status.c_str(), last.iteration, last.residual);
     if (const SeriesInfo* criterion = other_criterion(last))
@@ -175,20 +197,12 @@ int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& 
             for (const std::string& note : report->notes) std::printf("%s\n", note.c_str());
             std::fflush(stdout);
         }
-        {
-            RunProgress progress(arguments.quiet);
-            while (run.status() == RunStatus::running) {
-                if (interrupt.token().stop_requested()) {
-                    run.interrupt();
-                    break;
-                }
-                try {
-                    progress.show(run.step(interrupt.token()));
-                } catch (const Interrupted&) { // in the middle: the iterate before it is there
-                    if (!interrupt.token().stop_requested()) throw;
-                }
-            }
+        std::optional<HistoryFile> history; // of all time steps, of which the run keeps some
+        if (run.time()) {
+            remove_unfinished(folder);
+            history.emplace(folder / "history.csv", run);
         }
+        iterate(run, arguments.quiet, history ? &*history : nullptr, interrupt.token());
         if (!arguments.quiet) print_outcome(run, folder, other_values);
         const std::stop_token stop = interrupt.restart(); // what was interrupted is written, too
         std::exception_ptr failure;                       // rethrown after the other files are written
@@ -197,12 +211,13 @@ int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& 
         if (other_values && !arguments.quiet) print_left_over(left_over(folder, possible, names));
         try {
             try {
-                write_run_files(folder, run, input.formats, {}, stop);
+                write_run_files(folder, run, input.formats, {}, stop, history ? &*history : nullptr);
             } catch (const MachineError&) {
                 failure = std::current_exception();
             }
             if (!arguments.no_render) draw_view(catalogue, run, folder, arguments.whole_window, stop);
         } catch (const Interrupted&) {
+            history.reset(); // and its temporary file
             remove_empty(made);
             std::cerr << "gaspard: interrupted while files were written; each file in " << folder.string()
                       << " is complete, but some are missing or of an earlier run\n";

@@ -57,6 +57,8 @@ struct FieldRequest {
     std::size_t dimension = 2;
     bool time_ends = true; ///< false: after the last step it goes on as it is
 };
+/// " in time step 3 (the first is 0)", for messages.
+std::string in_step(std::int64_t step);
 /// For loops over long data: reports progress; throws Interrupted if asked to stop.
 void check_stop(const FieldRequest& request, double done);
 

@@ -67,11 +67,16 @@ Reader reader_of(std::string_view bytes) {
 
 } // namespace
 
+std::string in_step(std::int64_t step) {
+    return " in time step " + std::to_string(step) + " (the first is 0)";
+}
+
 FieldData parse_field(std::string_view bytes, const std::string& origin, const FieldRequest& request) {
     try {
         FieldData field = reader_of(bytes)(bytes, request);
         if (count_missing(values_of(field)) == values_of(field).size())
-            throw InputError("all values of '" + field.variable + "' are missing");
+            throw InputError("all values of '" + field.variable + "' are missing" +
+                             (request.time > 0 || !request.time_ends ? in_step(request.time) : ""));
         return field;
     } catch (const InputError& error) {
         throw InputError("cannot read " + origin + ": " + error.what());

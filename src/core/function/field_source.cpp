@@ -33,6 +33,15 @@ static std::shared_ptr<const FieldData> read_step(const std::string& file, const
     return context.files->get<FieldData>(name, purpose + ' ' + request.variable, read, &memory_of);
 }
 
+/// Of a field that moves, the time step is told whose missing values are not allowed.
+static void check_step(const Values& values, const FieldData& field, std::int64_t step) {
+    const std::size_t missing = count_missing(values_of(field));
+    if (missing == 0 || values.text("missing") != "error") return;
+    throw InputError(std::to_string(missing) + " of " + std::to_string(values_of(field).size()) +
+                     " values are missing" + in_step(step) +
+                     "; allow the nearest or the lowest to stand in (missing = nearest or floor)");
+}
+
 std::shared_ptr<const FieldData> read_field(const Values& values, const DataContext& context) {
     const std::string& file = values.text("file");
     if (file.empty())
@@ -52,10 +61,12 @@ std::shared_ptr<const FieldData> read_field(const Values& values, const DataCont
     request.time_ends = false;
     request.time = static_cast<std::int64_t>(step);
     const auto before = read_step(file, request, context);
+    check_step(values, *before, request.time);
     if (weight == 0) return before;
     ++request.time;
-    return std::make_shared<const FieldData>(
-        interpolated(*before, *read_step(file, request, context), weight));
+    const auto after = read_step(file, request, context);
+    check_step(values, *after, request.time);
+    return std::make_shared<const FieldData>(interpolated(*before, *after, weight));
 }
 
 ParameterRow field_transform_row() {

@@ -11,13 +11,12 @@
 #include <string>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 namespace gaspard {
 
 namespace fs = std::filesystem;
-
-namespace {
 
 /// A file with a unique name, removed at the end unless it was moved to its destination. Member functions
 /// return errno.
@@ -70,7 +69,13 @@ class TemporaryFile {
     bool exists_ = false;
 };
 
+namespace {
+
 std::string cause(int error) { return std::generic_category().message(error); }
+
+void check_written(const fs::path& file, int error) {
+    if (error != 0) throw MachineError("cannot write " + file.string() + ": " + cause(error));
+}
 
 fs::path folder_of(const fs::path& file) {
     return file.has_parent_path() ? file.parent_path() : fs::path(".");
@@ -92,12 +97,21 @@ std::vector<fs::path> missing_folders(const fs::path& folder) {
 
 } // namespace
 
+AtomicFile::AtomicFile(fs::path file)
+    : file_(std::move(file)), temporary_(std::make_unique<TemporaryFile>()) {
+    check_written(file_, temporary_->create_in(folder_of(file_)));
+}
+
+AtomicFile::~AtomicFile() = default;
+
+void AtomicFile::write(std::string_view bytes) { check_written(file_, temporary_->write(bytes)); }
+
+void AtomicFile::finish() { check_written(file_, temporary_->move_to(file_)); }
+
 void write_atomically(const fs::path& file, std::string_view bytes) {
-    TemporaryFile temporary;
-    int error = temporary.create_in(folder_of(file));
-    if (error == 0) error = temporary.write(bytes);
-    if (error == 0) error = temporary.move_to(file);
-    if (error != 0) throw MachineError("cannot write " + file.string() + ": " + cause(error));
+    AtomicFile whole(file);
+    whole.write(bytes);
+    whole.finish();
 }
 
 void write_atomically(const fs::path& file, const std::function<void(std::ostream&)>& write) {

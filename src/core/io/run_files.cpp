@@ -6,16 +6,15 @@
 #include "core/diagnostics/cell_quality.hpp"
 #include "core/diagnostics/quality.hpp"
 #include "core/io/atomic_file.hpp"
+#include "core/io/history_file.hpp"
 #include "core/io/interpolation_files.hpp"
 #include "core/io/section_files.hpp"
 #include "core/io/spline_map_file.hpp"
 #include "core/io/state_file.hpp"
 #include "core/method/spline_map.hpp"
 #include "core/scenario/time_rows.hpp"
-#include "core/session/report_columns.hpp"
 
 #include <algorithm>
-#include <array>
 #include <exception>
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
@@ -58,21 +57,6 @@ std::shared_ptr<const SplinePatch> patch_of(const Run& run) {
                              : std::nullopt;
     return patch ? std::make_shared<const SplinePatch>(std::move(*patch)) : nullptr;
 }
-
-} // namespace
-
-std::string history_csv(const std::vector<StepReport>& history) {
-    static constexpr std::array<std::string_view, 9> always = {
-        "iteration",     "residual",  "equidistribution", "exact_rms",       "min_jacobian",
-        "tangled_cells", "step_size", "seconds",          "inner_iterations"};
-    std::vector<std::string> columns = report_columns(always, history);
-    columns.emplace_back("note");
-    std::string text = csv_head(columns) + '\n';
-    for (const auto& row : history) text += csv_row(row, columns) + '\n';
-    return text;
-}
-
-namespace {
 
 /// The method's further series, under "measures".
 void add_measures(Json& json, const StepReport& report) {
@@ -203,7 +187,7 @@ static std::optional<double> tolerance_of(const Values& method) {
 }
 
 void write_run_files(const std::filesystem::path& folder, Run& run, const std::vector<const Format*>& formats,
-                     const Progress& progress, std::stop_token stop) {
+                     const Progress& progress, std::stop_token stop, HistoryFile* history) {
     run.complete();
     make_folder(folder);
     std::exception_ptr first;
@@ -222,7 +206,10 @@ void write_run_files(const std::filesystem::path& folder, Run& run, const std::v
     };
     // First, because it tells of which run the other files are (run_folder.hpp).
     attempt("summary.json", [&] { write_atomically(folder / "summary.json", summary_json(run, stop)); });
-    attempt("history.csv", [&] { write_atomically(folder / "history.csv", history_csv(run.history())); });
+    attempt("history.csv", [&] {
+        if (history) return history->finish(run);
+        write_atomically(folder / "history.csv", history_csv(run.history()));
+    });
     attempt("state.bin", [&] { write_state(folder / "state.bin", run.state()); });
     if (of_splines)
         attempt("map.json", [&] { write_atomically(folder / "map.json", *spline_map_json(run.state())); });

@@ -12,6 +12,8 @@
 
 namespace gaspard GASPARD_API {
 
+class HistoryFile; // core/io/history_file.hpp
+
 /// One row per iterate; what was not measured is empty. The method's further series follow the columns that
 /// every history has, before the note.
 std::string history_csv(const std::vector<StepReport>& history);
@@ -25,9 +27,11 @@ std::vector<std::string> possible_run_file_names();
 /// Whether the summary.json in a folder has other values of domain, monitor, method or PDE than the scenario.
 bool holds_other_values(const std::filesystem::path& folder, const Scenario& scenario);
 /// Writes all of them into a folder, which is made with its parents if it is not there, each under a
-/// temporary name that is then renamed; what fails does not keep the others from being tried. Throws the
-/// first MachineError; Interrupted when stopped between two files, each of which is whole.
+/// temporary name that is then renamed; what fails does not keep the others from being tried. `history`:
+/// history.csv as it was written so far; null: it has the rows of Run::history(). Throws the first
+/// MachineError; Interrupted when stopped between two files, each of which is whole.
 void write_run_files(const std::filesystem::path& folder, Run& run, const std::vector<const Format*>& formats,
-                     const Progress& progress = {}, std::stop_token stop = {});
+                     const Progress& progress = {}, std::stop_token stop = {},
+                     HistoryFile* history = nullptr);
 
 } // namespace GASPARD_API

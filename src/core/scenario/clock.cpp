@@ -201,6 +201,20 @@ int Clock::nearest(double t) const {
     return k < steps_ && std::abs(time(k + 1) - t) < std::abs(time(k) - t) ? k + 1 : k;
 }
 
+std::string Clock::why_unused(std::string_view key) const {
+    const auto used = [&](const Motion& motion) {
+        return std::ranges::find(motion.others, key) != motion.others.end();
+    };
+    if (std::ranges::any_of(motions_, used)) return {};
+    const std::string begin = "monitor." + std::string(key) + " has no effect while time passes: ";
+    const auto moved = std::ranges::find(motions_, key, &Motion::key);
+    if (moved != motions_.end())
+        return begin + "time.monitor." + moved->key + " does not use '" + moved->key + "'";
+    if (!path_.empty() && (key == first_key_ || key == second_key_)) return begin + "time.path sets it";
+    if (std::ranges::find(times_, key) != times_.end()) return begin + "it is the time";
+    return {};
+}
+
 Scenario Clock::at(double t) const {
     Scenario scenario = scenario_;
     move(scenario.monitor.values, t);

@@ -15,6 +15,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gaspard {
@@ -43,6 +44,9 @@ class Clock {
     int nearest(double t) const;
     /// Throws InputError if a value is out of its range at this time.
     Scenario at(double t) const;
+    /// What sets a parameter of the monitor at all times, so that its value in the scenario means nothing: a
+    /// sentence. Empty if the value is used.
+    std::string why_unused(std::string_view key) const;
 
   private:
     struct Motion;

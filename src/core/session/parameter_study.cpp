@@ -112,13 +112,24 @@ std::vector<std::string> available_measures(const std::shared_ptr<const Catalogu
     }
 }
 
+/// Throws InputError if in no run it makes a difference which value the key has.
+void check_effect(const Catalogue& catalogue, const StudyPlan& plan, const std::string& key) {
+    std::string why;
+    for (std::size_t i = 0; i < plan.size(); ++i) {
+        const std::size_t lines = plan.line_count();
+        why = why_without_effect(study_scenario(catalogue, plan, i % lines, i / lines), key);
+        if (why.empty()) return;
+    }
+    throw InputError(why);
+}
+
 } // namespace
 
 bool same_study(const StudyPlan& a, const StudyPlan& b) {
     const Scenario &one = a.scenario, &other = b.scenario;
     return a.over == b.over && a.lines == b.lines && a.measure == b.measure && one.domain == other.domain &&
            one.monitor == other.monitor && one.source == other.source && one.pde == other.pde &&
-           one.method == other.method && one.folder == other.folder;
+           one.method == other.method && one.time == other.time && one.folder == other.folder;
 }
 
 Scenario study_scenario(const Catalogue& catalogue, const StudyPlan& plan, std::size_t line,
@@ -138,6 +149,7 @@ void check_study(std::shared_ptr<const Catalogue> catalogue, const StudyPlan& pl
     for (std::size_t line = 0; line < plan.line_count(); ++line)
         for (std::size_t place = 0; place < plan.over.values.size(); ++place)
             check(*catalogue, study_scenario(*catalogue, plan, line, place));
+    for (const std::string& key : {plan.over.key, plan.lines.key}) check_effect(*catalogue, plan, key);
     const std::vector<std::string> names = available_measures(catalogue, plan);
     if (std::find(names.begin(), names.end(), plan.measure) == names.end())
         throw InputError("there is no measure '" + plan.measure + "'" + did_you_mean(plan.measure, names) +

@@ -1,5 +1,7 @@
 #include "core/session/recording.hpp"
 
+#include "core/session/time_series.hpp"
+
 #include <algorithm>
 #include <iterator>
 #include <numeric>
@@ -48,6 +50,8 @@ RecordedIterate::RecordedIterate(const Snapshot& snapshot, std::shared_ptr<const
     }
     if (state_)
         for (const auto& array : state_->arrays) bytes_ += sizeof(double) * array.values.size();
+    if (rest_.exact && is_time_step(rest_.report)) // others share it
+        bytes_ += sizeof(Vec3) * rest_.exact->size();
     if (rest_.tangled) bytes_ += sizeof(std::uint32_t) * rest_.tangled->size();
 }
 

@@ -100,7 +100,8 @@ class Run {
 
     RunStatus status() const { return history_.back().status; }
     const Scenario& scenario() const { return now_.problem.scenario; }
-    /// Times include the evaluation of the start, by the constructor, reset(), follow() or change().
+    /// Times include the evaluation of the start, by the constructor, reset(), follow() or change(). Of very
+    /// many time steps, some are left out (session/history_thinning.hpp); the first and the last are there.
     const std::vector<StepReport>& history() const { return history_; }
     /// Number of times that a new history has been started.
     int epoch() const { return epoch_; }

@@ -11,6 +11,7 @@
 #include "core/diagnostics/exact_map.hpp"
 #include "core/scenario/time_rows.hpp"
 #include "core/session/following.hpp"
+#include "core/session/history_thinning.hpp"
 #include "core/session/run.hpp"
 #include "core/session/run_timer.hpp"
 #include "core/session/time_series.hpp"
@@ -227,6 +228,7 @@ const StepReport& Run::advance(std::stop_token stop, int time_steps, bool again)
     timer.add_to(report, history_.back(), next);
     next.data.stop = {};
     history_.push_back(std::move(report));
+    thin_out_time_steps(history_);
     put_in_place(std::move(next));
     return history_.back();
 }

@@ -53,7 +53,9 @@ struct StepReport {
     double residual = 0;
     double step_size = 0;                       ///< of the update that led here; 0 at the start
     std::optional<std::size_t> tangled_cells{}; ///< empty where the mesh was not measured
-    int inner_iterations = 0;                   ///< of the linear solver, for this update
+    /// Of the linear solver, for this update, and for those of the time steps after it that the history
+    /// leaves out.
+    int inner_iterations = 0;
     double seconds = 0;                         ///< cumulative wall time of solving
     double cpu_seconds = 0;                     ///< cumulative CPU time of all threads that solve
     RunStatus status = RunStatus::running;

@@ -17,6 +17,12 @@ constexpr double near = 0.3;         // residual below which a change of values 
 constexpr double longest_wait = 0.1; // seconds
 constexpr double rest = 0.25;        // seconds after the last small change at which a drag is over
 
+/// Whether the run is not to complete a time step before this is done.
+bool ends_time_step(const Command& command) {
+    return std::holds_alternative<PauseCommand>(command) || std::holds_alternative<ResetCommand>(command) ||
+           std::holds_alternative<ChangeCommand>(command);
+}
+
 } // namespace
 
 SolverThread::SolverThread(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, Options options)
@@ -29,6 +35,7 @@ SolverThread::~SolverThread() = default; // the jthread requests a stop and join
 void SolverThread::post(Command command) {
     {
         std::lock_guard lock(mutex_);
+        if (in_time_step_ && ends_time_step(command)) activity_->request_stop();
         // Consecutive changes are merged, so that dragging a slider does not queue up work.
         auto* change = std::get_if<ChangeCommand>(&command);
         const auto* before = commands_.empty() ? nullptr : std::get_if<ChangeCommand>(&commands_.back());
@@ -123,6 +130,7 @@ bool SolverThread::cancellable(std::stop_token stop, const std::function<void(co
     const auto set_activity = [&](std::optional<std::stop_source> activity) {
         std::lock_guard lock(mutex_);
         activity_ = std::move(activity);
+        in_time_step_ = false;
     };
     set_activity(source);
     const std::stop_callback link(stop, [source]() mutable { source.request_stop(); });
@@ -149,7 +157,7 @@ std::deque<Command> SolverThread::take_commands() {
 void SolverThread::fail(const std::string& message) {
     run_.reset();
     running_ = false;
-    published_ = 0, epoch_ = recorded_epoch_ = -1; // the next run has another history
+    sent_ = -1, epoch_ = recorded_epoch_ = -1; // the next run has another history
     begins_ = SolverEventKind::restart;
     shown_ = partly_shown_ = following_ = small_change_ = false;
     update([](SolverStatus& status) { status.run = RunStatus::failed, status.activity.clear(); });
@@ -191,19 +199,35 @@ void SolverThread::step(std::stop_token stop) {
     const double speed = run_->moves() ? time.real("speed") : 0;
     if (!(speed > 0)) {
         pace_.reset();
-        run_->step(stop);
+        make_step(stop);
         return;
     }
     if (!pace_ || epoch_ != run_->epoch()) pace_.emplace(), pace_from_ = *run_->time();
     const double ahead = pace_from_ + speed * pace_->seconds() - *run_->time(), dt = time.real("step");
     const double due = std::min(std::floor(ahead / dt), 1e6);
     if (due >= 1) {
-        run_->step(stop, static_cast<int>(due));
+        make_step(stop, static_cast<int>(due));
         return;
     }
     std::unique_lock lock(mutex_);
     const std::chrono::duration<double> rest(std::min((dt - ahead) / speed, 0.1));
     wake_.wait_for(lock, stop, rest, [&] { return !commands_.empty(); });
+}
+
+/// One iteration, or so many time steps at once, unless a command ends them.
+void SolverThread::make_step(std::stop_token stop, int time_steps) {
+    if (!run_->moves()) {
+        run_->step(stop);
+        return;
+    }
+    cancellable(stop, [&](const Activity& activity) {
+        {
+            std::lock_guard lock(mutex_);
+            if (!behind() && std::ranges::any_of(commands_, ends_time_step)) return;
+            in_time_step_ = true;
+        }
+        run_->step(activity.stop, time_steps);
+    });
 }
 
 /// Makes the run. Returns false if that fails or is cancelled.
@@ -233,7 +257,7 @@ bool SolverThread::prepare(std::stop_token stop) {
 }
 
 void SolverThread::publish(std::stop_token stop) {
-    const bool news = epoch_ != run_->epoch() || published_ < run_->history().size();
+    const bool news = epoch_ != run_->epoch() || sent_ < run_->history().back().iteration;
     const bool to_be_completed = partly_shown_ && !dragged();
     shown_ = shown_ && !news && !to_be_completed;
     if (!shown_ && !behind()) {
@@ -303,13 +327,15 @@ static long measured(const StepReport& report) {
 /// The new ones, and the last one sent if more of it has been measured. Returns false if asked to stop.
 bool SolverThread::send_reports(std::stop_token stop) {
     const auto& history = run_->history();
-    if (epoch_ != run_->epoch()) epoch_ = run_->epoch(), published_ = 0;
-    if (published_ > 0)
-        if (const StepReport& last = history[published_ - 1]; measured(last) > measured_)
+    if (epoch_ != run_->epoch()) epoch_ = run_->epoch(), sent_ = -1;
+    auto next = std::ranges::upper_bound(history, sent_, {}, &StepReport::iteration);
+    if (next != history.begin())
+        if (const StepReport& last = *std::prev(next); last.iteration == sent_ && measured(last) > measured_)
             if (!reports_.push({SolverEventKind::completion, last}, stop)) return false;
-    for (; published_ < history.size(); ++published_) {
-        const SolverEventKind kind = published_ == 0 ? begins_ : SolverEventKind::step;
-        if (!reports_.push({kind, history[published_]}, stop)) return false;
+    for (; next != history.end(); ++next) {
+        const SolverEventKind kind = sent_ < 0 ? begins_ : SolverEventKind::step;
+        if (!reports_.push({kind, *next}, stop)) return false;
+        sent_ = next->iteration;
     }
     measured_ = measured(history.back());
     return true;
@@ -324,7 +350,7 @@ void SolverThread::execute(Command command, std::stop_token stop) {
         void operator()(StepCommand&) { // immediately, so that later commands see the result
             self.running_ = false, self.pace_.reset();
             const bool possible = self.run_ && self.run_->status() == RunStatus::running;
-            if (possible && !stop.stop_requested()) self.run_->step(stop);
+            if (possible && !stop.stop_requested()) self.make_step(stop);
         }
         void operator()(ResetCommand&) {
             if (!self.run_) return;

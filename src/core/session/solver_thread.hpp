@@ -4,6 +4,8 @@
 // shown, the next snapshot and the next change wait until the mesh has adapted to the new values (residual
 // below 1e-2), for at most 0.1 s. All snapshots shown are thus adapted, and only the latest values matter.
 // Until 0.25 s after the last change, they have only the diagnostics that are needed (SolverThread::need).
+//
+// A time step may take long: to pause or reset the run, or to change its values, ends it without effect.
 #pragma once
 
 #include "core/base/stopwatch.hpp"
@@ -160,6 +162,7 @@ class SolverThread {
     void record(const Snapshot& snapshot);
     void record_hidden();
     void step(std::stop_token stop);
+    void make_step(std::stop_token stop, int time_steps = 1);
     std::deque<Command> take_commands();
     std::deque<Command> wait_for_commands(std::stop_token stop);
 
@@ -167,8 +170,8 @@ class SolverThread {
     Scenario scenario_;
     Options options_;
     std::unique_ptr<Run> run_;   ///< used only by the solver thread
-    std::size_t published_ = 0;  ///< number of rows of the history already in the queue
-    long measured_ = 0;          ///< how much of the last of them was measured when it was sent
+    int sent_ = -1;              ///< iteration of the last row of the history in the queue; -1: none
+    long measured_ = 0;          ///< how much of it was measured when it was sent
     int epoch_ = 0;              ///< epoch of that history
     int recorded_epoch_ = 0;     ///< epoch of the history that is recorded
     bool gesture_begun_ = false; ///< the present history began with a change of the last gesture
@@ -190,12 +193,13 @@ class SolverThread {
 
     Latest<Snapshot> latest_;
     Channel<SolverEvent> reports_;
-    mutable std::mutex mutex_; ///< protects commands_, messages_, status_ and activity_
+    mutable std::mutex mutex_; ///< protects commands_, messages_, status_, activity_ and in_time_step_
     std::condition_variable_any wake_;
     std::deque<Command> commands_;
     std::vector<SolverMessage> messages_;
     SolverStatus status_;
     std::optional<std::stop_source> activity_; ///< stop source of the work that cancel() ends
+    bool in_time_step_ = false;                ///< that work is a time step, which some commands end
     std::jthread thread_;                      ///< last, so that it is joined before the members it uses go
 };
 

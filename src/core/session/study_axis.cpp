@@ -3,6 +3,8 @@
 #include "core/base/error.hpp"
 #include "core/base/join.hpp"
 #include "core/base/number_text.hpp"
+#include "core/scenario/clock.hpp"
+#include "core/scenario/time_rows.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -18,14 +20,22 @@ namespace {
 constexpr std::size_t most_values = 1000;
 
 const Values* values_of(const Scenario& scenario, std::string_view key) {
-    for (const Section* section :
-         {&scenario.source, &scenario.domain, &scenario.monitor, &scenario.method, &scenario.pde}) {
-        const std::string& name = section->values.section();
+    const auto has_key = [key](const Values& values) {
+        const std::string& name = values.section();
         const bool inside = key.size() > name.size() && key.starts_with(name) && key[name.size()] == '.';
-        if (!section->type.empty() && inside && section->values.has(key.substr(name.size() + 1)))
-            return &section->values;
-    }
-    return nullptr;
+        return inside && values.has(key.substr(name.size() + 1));
+    };
+    for (const Section* section :
+         {&scenario.source, &scenario.domain, &scenario.monitor, &scenario.method, &scenario.pde})
+        if (!section->type.empty() && has_key(section->values)) return &section->values;
+    return has_key(scenario.time) && key != "time.speed" ? &scenario.time : nullptr;
+}
+
+/// The rule that a key of time belongs to; empty: all of them.
+std::string_view rule_of(std::string_view key) {
+    if (key == "time.factor") return time_rule::equidistribution;
+    if (key == "time.tolerance") return time_rule::tolerance;
+    return key == "time.tau" ? time_rule::relaxation : "";
 }
 
 bool is_number(const ParameterRow& row) {
@@ -146,6 +156,21 @@ const ParameterRow* study_row(const Scenario& scenario, std::string_view key) {
         return key.size() == values->section().size() + 1 + one.key.size() && key.ends_with(one.key);
     });
     return row == rows.end() ? nullptr : &*row;
+}
+
+std::string why_without_effect(const Scenario& scenario, std::string_view key) {
+    const Values& time = scenario.time;
+    if (key.starts_with("time.")) {
+        if (!has_time(time) && key != "time.start" && key != "time.end")
+            return std::string(key) + " has no effect: no time passes unless time.end is after time.start";
+        const std::string_view rule = rule_of(key);
+        if (!rule.empty() && rule != time.text("rule"))
+            return std::string(key) + " has no effect unless time.rule is " + std::string(rule);
+        return {};
+    }
+    if (!has_time(time) || !key.starts_with("monitor.")) return {};
+    const std::string_view own = key.substr(std::string_view("monitor.").size());
+    return Clock(scenario).why_unused(own);
 }
 
 StudyAxis parse_study_axis(const Catalogue& catalogue, const Scenario& scenario, std::string_view text,

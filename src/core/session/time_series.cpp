@@ -24,10 +24,7 @@ std::vector<SeriesInfo> time_series() {
 std::vector<FieldInfo> velocity_fields(int dimension) {
     std::vector<FieldInfo> fields = {mesh_colour("mesh_speed")};
     for (int i = 0; i < dimension; ++i)
-        fields.push_back({.name = std::string("mesh_velocity_") + "xyz"[i],
-                          .label = std::string("mesh velocity ") + "xyz"[i],
-                          .centre = 0,
-                          .help = "a component of the velocity of the nodes"});
+        fields.push_back(mesh_colour(std::string("mesh_velocity_") + "xyz"[i]));
     return fields;
 }
 

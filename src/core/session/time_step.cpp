@@ -1,5 +1,7 @@
 #include "core/session/time_step.hpp"
 
+#include "core/base/error.hpp"
+#include "core/base/short_number.hpp"
 #include "core/base/stopwatch.hpp"
 #include "core/diagnostics/quality.hpp"
 #include "core/scenario/time_rows.hpp"
@@ -118,8 +120,13 @@ Run::TimeStep::Attempt Run::TimeStep::follow_in_parts(const Following& following
 /// The data of the problem at a time.
 void Run::TimeStep::set_time(const Following& following, double t) {
     const Stopwatch watch;
-    course_.data = make_problem_data(*run_.catalogue_, following.clock->at(t), course_.own,
-                                     run_.monitor_context(course_, {}, stop_));
+    const Scenario now = following.clock->at(t); // its errors name the time
+    try {
+        course_.data = make_problem_data(*run_.catalogue_, now, course_.own,
+                                         run_.monitor_context(course_, {}, stop_));
+    } catch (const InputError& error) {
+        throw InputError(std::string(error.what()) + ", at t = " + short_number(t, 6));
+    }
     course_.data.stop = stop_;
     monitor_seconds_ += watch.seconds();
 }

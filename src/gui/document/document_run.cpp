@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 #include "core/base/join.hpp"
+#include "core/session/history_thinning.hpp"
 #include "gui/document/value_changes.hpp"
 
 #include <algorithm>
@@ -102,7 +103,9 @@ void append(DocumentRun& run, const Catalogue& catalogue, const SolverEvent& eve
     }
     if (event.kind != SolverEventKind::step) begin_history(run, catalogue, event.kind);
     run.history.push_back(event.report);
-    run.curves.append(event.report);
+    if (!thin_out_time_steps(run.history)) return run.curves.append(event.report);
+    run.curves.clear();
+    for (const StepReport& report : run.history) run.curves.append(report);
 }
 
 std::optional<double> iteration_rate(const std::vector<StepReport>& history) {

@@ -68,7 +68,8 @@ struct DocumentRun {
         name; ///< in lists and legends: "Ring, amplitude 20"; the name of a live run follows its values
     Scenario opened;                  ///< as it was opened: the values that reset buttons restore
     Scenario scenario;                ///< as the panels show it; the solver may not have these values yet
-    std::vector<StepReport> history;  ///< since the values were last changed or the run was reset
+    std::vector<StepReport> history;  ///< since the values were last changed or the run was reset; bounded as
+                                      ///< Run::history()
     HistoryCurves curves;             ///< the same in columns
     std::deque<EarlierSolve> earlier; ///< since the run was last reset; oldest first, at most most_earlier
     std::uint64_t histories = 0;      ///< how many have begun

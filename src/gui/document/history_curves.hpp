@@ -1,5 +1,6 @@
 // A run's history in columns, as its plots are drawn: per series the iterations, the seconds and the values.
-// They only grow, so that nothing is copied when a frame is drawn.
+// They only grow, so that nothing is copied when a frame is drawn; when time steps are left out of the
+// history, they are made anew.
 #pragma once
 
 #include "core/session/snapshot.hpp"

@@ -123,7 +123,7 @@ TEST_P(Tips, GiveNumbersEverywhere) {
     for (const double value : geometry.measures(snapshot->x)) ASSERT_TRUE(value > 0 && std::isfinite(value));
     EXPECT_TRUE(geometry.tangled(snapshot->x).empty());
     for (const FieldInfo& info : mesh_colours()) {
-        if (info.name == "mesh_speed") continue; // no time passes
+        if (info.name.starts_with("mesh_")) continue; // no time passes
         const auto colouring = make_colouring(*snapshot, {.colouring = info.name});
         ASSERT_TRUE(colouring) << info.name;
         EXPECT_TRUE(std::isfinite(colouring->range.low) && std::isfinite(colouring->range.high)) << info.name;

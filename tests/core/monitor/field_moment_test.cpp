@@ -5,6 +5,7 @@
 #include "core/io/netcdf_file.hpp"
 #include "core/scenario/toml.hpp"
 #include "core/session/run.hpp"
+#include "core/session/time_series.hpp"
 #include "support/messages.hpp"
 #include "support/monitor_defaults.hpp"
 
@@ -17,7 +18,8 @@ namespace {
 constexpr std::size_t points_a_side = 9, moments_in_file = 3;
 
 /// v(x, y, k) = 1 + (k + 1)^2 x in the unit square, k = 0, 1, 2, as a data: URI.
-std::string file_in_time() {
+/// From the time step `missing` on, the first `count` values are missing.
+std::string file_in_time(std::size_t missing = moments_in_file, std::size_t count = 0) {
     std::vector<double> axis, values, times;
     for (std::size_t i = 0; i < points_a_side; ++i)
         axis.push_back(static_cast<double>(i) / (points_a_side - 1));
@@ -27,6 +29,9 @@ std::string file_in_time() {
         for (std::size_t j = 0; j < points_a_side; ++j)
             for (std::size_t i = 0; i < points_a_side; ++i) values.push_back(1 + factor * axis[i]);
     }
+    const std::size_t a_time = points_a_side * points_a_side;
+    for (std::size_t k = missing; k < moments_in_file; ++k)
+        for (std::size_t i = 0; i < count; ++i) values[k * a_time + i] = std::nan("");
     const NetcdfFile file{{{"time", moments_in_file}, {"y", points_a_side}, {"x", points_a_side}},
                           {{"time", {"time"}, times},
                            {"y", {"y"}, axis},
@@ -96,6 +101,26 @@ TEST(FieldMoment, MovesWithTheClock) {
     EXPECT_EQ(run.status(), RunStatus::converged);
     EXPECT_EQ(run.time(), 1.5);
     EXPECT_GT(columns(), early + 0.02) << "nodes gather where v grows";
+}
+
+TEST(FieldMoment, NamesTheTimeStepThatCannotBeUsed) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    const auto note_of = [&](const std::string& file, const std::string& missing) {
+        Scenario scenario = find_scenario(*catalogue, "walls-ring");
+        apply_settings(*catalogue, scenario,
+                       {"domain.cells=12", "monitor.type=field", "monitor.file=" + file,
+                        "monitor.missing=" + missing, "method.type=newton", "time.end=1.5", "time.step=0.25"});
+        gaspard::Run run(catalogue, scenario);
+        const StepReport& last = run.solve();
+        return std::to_string(*time_of(last)) + ' ' + last.note;
+    };
+    EXPECT_EQ(note_of(file_in_time(2, points_a_side * points_a_side), "nearest"),
+              "1.000000 cannot read the packed data: all values of 'v' are missing in time step 2 (the first "
+              "is 0), at t = 1.25");
+    EXPECT_EQ(note_of(file_in_time(1, 7), "error"),
+              "0.000000 7 of 81 values are missing in time step 1 (the first is 0); allow the nearest or the "
+              "lowest to stand in (missing = nearest or floor), at t = 0.25");
+    EXPECT_EQ(note_of(file_in_time(1, 7), "nearest"), "1.500000 ");
 }
 
 } // namespace

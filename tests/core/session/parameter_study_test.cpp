@@ -191,6 +191,43 @@ TEST_F(ParameterStudy, RunsAreThoseOfTheScenarioWithTheseValues) {
     EXPECT_NE(study_value(points[0], "energy_error"), study_value(points[1], "energy_error"));
 }
 
+TEST_F(ParameterStudy, VariesTheNumbersOfTime) {
+    Scenario moving = find_scenario(*catalogue, "plane-ring");
+    apply_settings(*catalogue, moving,
+                   {"domain.cells=12", "monitor.amplitude=2", "method.type=newton", "time.end=0.4",
+                    "time.step=0.1", "time.monitor.center_x=center_x + t/4", "time.monitor.radius=0.25 - t/9"});
+    const auto points = solved(plan(moving, "time.step=0.1,0.05", {}, "equidistribution"));
+    ASSERT_EQ(points.size(), 2U);
+    EXPECT_EQ(points[0].x, 0.05) << "in order";
+    EXPECT_GT(study_value(points[0], "iterations"), study_value(points[1], "iterations") + 3);
+    for (const StudyPoint& point : points) EXPECT_EQ(point.report->value("time"), 0.4);
+    const auto refused = [&](const std::string& over, const Texts& settings = {}, const std::string& lines = {}) {
+        Scenario scenario = moving;
+        apply_settings(*catalogue, scenario, settings);
+        try {
+            check_study(catalogue, plan(scenario, over, lines, "equidistribution"));
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    for (const char* over : {"time.end=0.1,0.2", "time.start=0,0.2", "time.factor=1.1,1.2",
+                             "monitor.center_x=0.4,0.5", "monitor.center_y=0.4,0.5", "monitor.amplitude=1,2"})
+        EXPECT_EQ(refused(over), "") << over;
+    EXPECT_EQ(refused("time.tau=0.1,0.2"), "time.tau has no effect unless time.rule is relaxation");
+    EXPECT_EQ(refused("time.tau=0.1,0.2", {"time.rule=relaxation"}), "");
+    EXPECT_EQ(refused("time.tau=0.1,0.2", {}, "time.rule=tolerance,relaxation"), "") << "in some of the runs";
+    EXPECT_EQ(refused("time.step=0.1,0.2", {"time.end=0"}),
+              "time.step has no effect: no time passes unless time.end is after time.start");
+    EXPECT_EQ(refused("time.end=1,2", {"time.end=0"}), "");
+    EXPECT_EQ(refused("monitor.radius=0.2,0.3"),
+              "monitor.radius has no effect while time passes: time.monitor.radius does not use 'radius'");
+    EXPECT_EQ(refused("monitor.center_y=0.4,0.5", {"time.monitor.center_x=", "time.path=0 0.4 0.5; 1 0.6 0.5"}),
+              "monitor.center_y has no effect while time passes: time.path sets it");
+    EXPECT_NE(message_of<InputError>([&] { numbers("time.speed=1,2", moving); }).find("does not change"),
+              std::string::npos);
+}
+
 TEST_F(ParameterStudy, RunsAreMeasuredInFull) {
     const auto points = solved(plan(layer({"method.diagnostics=none"}), "domain.cells=32"));
     EXPECT_NEAR(study_value(points.at(0), "energy_error"), 4.171e-4, 1e-7);

@@ -55,6 +55,22 @@ TEST(Recording, KeepsPositionsAndFieldsToSinglePrecision) {
     EXPECT_EQ(restored->mesh, snapshot->mesh);
 }
 
+TEST(Recording, CountsTheExactMeshesOfTimeSteps) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    Scenario scenario = find_scenario(*catalogue, "sphere-x4");
+    apply_settings(*catalogue, scenario,
+                   {"domain.cells=6", "method.type=newton", "time.end=0.02", "time.step=0.01"});
+    gaspard::Run run(catalogue, scenario);
+    Snapshot snapshot = *run.snapshot();
+    ASSERT_TRUE(snapshot.exact);
+    const std::size_t shared = RecordedIterate(snapshot).bytes();
+    while (!run.moves()) run.step();
+    run.step();
+    snapshot = *run.snapshot();
+    ASSERT_TRUE(snapshot.exact);
+    EXPECT_EQ(RecordedIterate(snapshot).bytes(), shared + 24 * snapshot.x.size());
+}
+
 TEST(Recording, RestoresMeshesInSpaceAndOnIntervals) {
     const Catalogue catalogue = builtin_catalogue();
     for (const char* name : {"sphere-cross", "layer-1d"}) {

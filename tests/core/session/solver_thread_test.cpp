@@ -56,6 +56,60 @@ TEST_F(SolverThreadTest, SolvesAndReportsEveryIteration) {
     EXPECT_GT(notices.load(), 0);
 }
 
+TEST_F(SolverThreadTest, ReportsEveryTimeStepAlthoughTheRunForgetsSome) {
+    Scenario scenario = find_scenario(*catalogue, "plane-ring");
+    apply_settings(*catalogue, scenario,
+                   {"method.type=newton", "domain.cells=8", "monitor.amplitude=0.5", "time.end=10",
+                    "time.step=1e-3", "method.diagnostics_every=5", "method.interpolation=false"});
+    SolverThread thread(catalogue, scenario, {});
+    int next = 0;
+    for (bool final = false; !final;) {
+        for (const SolverEvent& event : thread.drain()) {
+            if (event.kind == SolverEventKind::completion) continue;
+            ASSERT_EQ(event.report.iteration, next++);
+            final = is_final(event.report.status);
+        }
+        std::this_thread::yield();
+    }
+    EXPECT_GT(next, 10000);
+}
+
+TEST_F(SolverThreadTest, APauseAResetAndAChangeEndALongTimeStep) {
+    const Scenario long_steps =
+        scenario({"method.type=newton", "time.end=1", "time.rule=iterations", "time.iterations=10000", "domain.cells=60",
+                  "time.monitor.radius=radius + t/10"});
+    SolverThread thread(catalogue, long_steps, {});
+    const auto moving = [&] {
+        thread.drain();
+        const auto now = thread.latest();
+        return now && thread.status().run == RunStatus::running && now->report.residual < 1e-8;
+    };
+    ASSERT_TRUE(eventually(moving));
+    std::this_thread::sleep_for(20ms); // in the time step, which takes half a minute
+    thread.post(PauseCommand{});
+    ASSERT_TRUE(eventually([&] { return thread.status().paused; }));
+    EXPECT_EQ(thread.latest()->report.value("time"), 0.0);
+    thread.post(StartCommand{});
+    std::this_thread::sleep_for(20ms);
+    Scenario changed = long_steps;
+    set_value(*catalogue, changed, "monitor.amplitude", 20.0);
+    thread.post(ChangeCommand{.scenario = changed, .number = 1});
+    ASSERT_TRUE(eventually([&] { return thread.status().answered == 1; }));
+    EXPECT_FALSE(thread.status().refused);
+    ASSERT_TRUE(eventually(moving));
+    std::this_thread::sleep_for(20ms);
+    thread.post(ResetCommand{});
+    ASSERT_TRUE(eventually([&] {
+        const auto events = thread.drain();
+        return std::ranges::any_of(events, [](const SolverEvent& event) {
+            return event.kind == SolverEventKind::restart && event.report.residual > 1e-2;
+        });
+    }));
+    ASSERT_TRUE(eventually(moving)) << "and goes on";
+    thread.post(StepCommand{});
+    std::this_thread::sleep_for(20ms);
+}
+
 TEST_F(SolverThreadTest, StartsPausedStepsPausesAndGoesOn) {
     SolverThread thread(catalogue, scenario(), {.start_running = false});
     ASSERT_TRUE(eventually([&] { return thread.latest() != nullptr; }));

@@ -50,7 +50,8 @@ TEST(Colouring, EveryChoiceOfTheViewIsKnown) {
     for (const char* name :
          {"mass", "interpolation_error", "interpolation_error_uniform", "interpolation_ratio"})
         add_field(snapshot, name, std::vector<double>(16, 2.0));
-    snapshot.fields.push_back({mesh_colour("mesh_speed"), std::vector<double>(25, 2.0)});
+    for (const char* name : {"mesh_speed", "mesh_velocity_x", "mesh_velocity_y", "mesh_velocity_z"})
+        snapshot.fields.push_back({mesh_colour(name), std::vector<double>(25, 2.0)});
     Values view("view", view_rows());
     for (const ParameterRow& row : view.rows())
         if (row.key == "color")

@@ -1,3 +1,5 @@
+#include "core/session/history_thinning.hpp"
+#include "core/session/time_series.hpp"
 #include "gui/document_fixture.hpp"
 
 #include <cmath>
@@ -284,6 +286,29 @@ TEST_F(DocumentTest, AComparisonDoesNotResumeARunThatWasPausedMeanwhile) {
     document.pause(run().id);
     document.cancel_comparison();
     EXPECT_FALSE(run().wants_to_run);
+}
+
+TEST(DocumentRun, ManyTimeStepsAreThinnedOutInHistoryAndCurves) {
+    const Catalogue catalogue = builtin_catalogue();
+    const auto table = std::make_shared<const SeriesTable>(SeriesInfo{.name = "residual"}, time_series(),
+                                                           std::vector<SeriesInfo>{}, "residual");
+    DocumentRun run;
+    for (int i = 0; i < 30000; ++i) {
+        StepReport report{.iteration = i, .residual = 1.0 / (i + 1), .series = table};
+        report.values.assign(table->slots(), 0);
+        report.set(time_names::time, i);
+        append(run, catalogue, {SolverEventKind::step, report});
+        ASSERT_LE(run.history.size(), most_time_steps);
+    }
+    EXPECT_EQ(run.history.back().iteration, 29999);
+    const Trace& residual = run.curves.find("residual")->trace;
+    ASSERT_EQ(residual.values.size(), run.history.size());
+    ASSERT_EQ(residual.times.size(), run.history.size());
+    EXPECT_EQ(residual.extremes.size(), run.history.size());
+    for (std::size_t i = 0; i < run.history.size(); ++i) {
+        ASSERT_EQ(residual.iterations[i], run.history[i].iteration);
+        ASSERT_EQ(residual.times[i], run.history[i].iteration);
+    }
 }
 
 TEST(IterationRate, LooksAtTheLastSecondOnly) {
