@@ -168,6 +168,7 @@ class Application {
     Toast toast();
     const StepReport* shown_report();
     std::optional<int> first_tangled();
+    void go_to_tangled();
     void run_or_pause();
     void step_forward();
     Plot section_of(const PlotChoice& choice);

@@ -117,7 +117,14 @@ std::optional<int> Application::first_tangled() {
     return run().recording ? run().recording->first_tangled() : std::nullopt;
 }
 
-/// Of the runs whose meshes are shown, the one with the most iterations.
+/// Runs with time go to the time of that iterate.
+void Application::go_to_tangled() {
+    const int first = first_tangled().value_or(0);
+    const bool same = iteration_beside(run(), longest(), first) == first;
+    playback_.go_to(same ? longest() : run(), first);
+}
+
+/// Of the runs whose meshes are shown, the one that ends last.
 const DocumentRun& Application::longest() { return longest_run(run(), runs_shown_beside()); }
 
 std::vector<const DocumentRun*> Application::runs_shown_beside() {
@@ -364,8 +371,8 @@ void Application::draw_plots(const FrameContext& context) {
     for (std::size_t i = 0; i < studies.size(); ++i)
         if (plot_pane_.choices()[i].plot == section_plot) studies[i] = section_of(plot_pane_.choices()[i]);
     const auto before = plot_pane_.choices();
-    const auto wish = plot_pane_.frame(document_, layout_.first_plot, layout_.second_plot, context, studies,
-                                       playback_.live() ? nullptr : shown_report());
+    const auto wish = plot_pane_.frame(document_, layout_.first_plot, layout_.second_plot, context,
+                                       longest(), studies, playback_.live() ? nullptr : shown_report());
     offer_section_line(before);
     if (wish) fulfil(*wish);
     if (const auto iteration = plot_pane_.take_pointed()) {
