@@ -78,6 +78,46 @@ TEST_F(TimeApplicationTest, GoesOnFromTheTimeThatIsShown) {
     EXPECT_EQ(time_of(run().history.back()), 1.0);
 }
 
+TEST_F(TimeApplicationTest, UndoAfterGoingOnLeavesTheRunThatWasKept) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    Scenario changed = run().scenario;
+    set_value(*catalogue, changed, "monitor.amplitude", 12.0);
+    application.document().change(run().id, changed);
+    application.document().end_gesture();
+    application.perform("run-again");
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
+    for (int i = 0; i < 20; ++i) application.perform("step-back");
+    frame();
+    ASSERT_TRUE(application.press_key("Ctrl+G"));
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().history.size() == 1; }));
+    set_value(*catalogue, changed, "monitor.radius", 0.3);
+    application.document().change(run().id, changed);
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
+    const auto kept = [&] {
+        return application.document().runs().size() == 2u &&
+               application.document().runs()[1].recording != nullptr;
+    };
+    ASSERT_TRUE(kept());
+    const auto amplitude = [&] { return run().scenario.monitor.values.real("amplitude"); };
+    application.perform("undo");
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
+    EXPECT_NE(run().scenario.monitor.values.real("radius"), 0.3);
+    EXPECT_EQ(amplitude(), 12.0) << "one thing at a time";
+    EXPECT_TRUE(kept());
+    application.perform("undo");
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
+    EXPECT_NE(amplitude(), 12.0);
+    ASSERT_TRUE(kept()) << "what was solved after that time would be lost";
+    EXPECT_FALSE(application.document().edits().can_undo());
+    const DocumentRun& other = application.document().runs()[1];
+    EXPECT_EQ(time_of(other.history.back()), 1.0);
+    EXPECT_GT(other.recording->iterations().size(), 40u);
+    application.document().remove(other.id); // by its cross
+    EXPECT_EQ(application.document().runs().size(), 1u);
+    application.perform("undo");
+    EXPECT_EQ(application.document().runs().size(), 2u);
+}
+
 TEST_F(TimeApplicationTest, AValueChangesWhileTimePasses) {
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
     Scenario changed = run().scenario;
