@@ -1,5 +1,6 @@
 // The frame of the application; its behaviour is in application.cpp and application_actions.cpp.
 #include "core/scenario/time_rows.hpp"
+#include "core/session/time_series.hpp"
 #include "gui/app/application.hpp"
 #include "gui/app/edges.hpp"
 #include "gui/base/part_window.hpp"
@@ -162,6 +163,8 @@ void Application::draw_sidebar() {
     begin_part("##sidebar", layout_.sidebar, ImGuiWindowFlags_None); // it may have to scroll
     Scenario scenario = run().scenario;
     const std::shared_ptr<const Snapshot> snapshot = run().snapshot; // while the panel shows its patches
+    const auto shown = playback_.snapshot(run());
+    const std::optional<double> now = shown ? time_of(shown->report) : std::nullopt;
     const PatchList* patches = snapshot && run().changes.settled() ? snapshot->patches.get() : nullptr;
     const PanelContext context{*catalogue_,
                                run().opened,
@@ -173,7 +176,9 @@ void Application::draw_sidebar() {
                                viewport().view.text("color"),
                                narrow_feature_.warning(*catalogue_, run()),
                                snapshot.get(),
-                               viewport().view.text("color_map")};
+                               viewport().view.text("color_map"),
+                               values_in_time_.at(run().scenario, now),
+                               now.value_or(0)};
     bool changed = false;
     for (const auto kind : all_sections) {
         if (!has_section(scenario, kind)) continue;

@@ -239,7 +239,11 @@ bool ParameterPanel::draw_section(SectionKind kind, const PanelContext& context,
     const Section& section = section_of(scenario, kind);
     const std::string equation = equation_of(context.catalogue, kind, section);
     const bool typed = find_role(section.values.rows(), ParameterRole::formula) != nullptr;
-    draw_equation_box(equation, section.values, c.end - c.field, context.theme, !typed);
+    const bool moves = kind == SectionKind::monitor && context.monitor_now != nullptr;
+    draw_equation_box(equation,
+                      moves ? values_at_time(*context.monitor_now, context.now)
+                            : values_by_symbol(section.values),
+                      c.end - c.field, context.theme, !typed);
     if (!equation.empty()) remember_item(context.items, std::string(section_key(kind)) + ".equation");
     changed |= draw_section_rows(kind, context, scenario);
     if (kind == SectionKind::monitor && !context.warning.empty()) {

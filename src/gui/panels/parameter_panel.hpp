@@ -45,6 +45,9 @@ struct PanelContext {
     std::string warning{};                 ///< about the monitor on this mesh; may be empty
     const Snapshot* snapshot = nullptr;    ///< that shows where the domain is; may be null
     std::string colours = "automatic";     ///< view.color_map
+    /// Of a monitor that moves, at the time of the mesh that is shown; null: it has no time.
+    const Values* monitor_now = nullptr;
+    double now = 0; ///< that time
 };
 
 class ParameterPanel {

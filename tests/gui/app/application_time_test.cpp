@@ -50,6 +50,27 @@ TEST_F(TimeApplicationTest, ShowsTheTimeAndPlotsAgainstIt) {
     EXPECT_EQ(application.items().count("plot.first.abscissa"), 1u);
 }
 
+TEST_F(TimeApplicationTest, TheEquationHasTheValuesOfTheTimeThatIsShown) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    const auto sidebar = [&] { // what is drawn there; all else in it is as at the start
+        ui.move_away();
+        for (int i = 0; i < 5; ++i) frame();
+        std::string bytes;
+        const ImDrawData& drawn = *ImGui::GetDrawData();
+        for (int i = 0; i < drawn.CmdListsCount; ++i)
+            if (const ImDrawList& list = *drawn.CmdLists[i]; std::string(list._OwnerName) == "##sidebar")
+                bytes.append(reinterpret_cast<const char*>(list.VtxBuffer.Data),
+                             sizeof(ImDrawVert) * static_cast<std::size_t>(list.VtxBuffer.Size));
+        return bytes;
+    };
+    const std::string at_end = sidebar();
+    ASSERT_FALSE(at_end.empty());
+    for (int i = 0; i < 20; ++i) application.perform("step-back");
+    EXPECT_FALSE(sidebar() == at_end);
+    application.perform("to-end");
+    EXPECT_TRUE(sidebar() == at_end);
+}
+
 TEST_F(TimeApplicationTest, KeepsTheMethodOfAScenarioWithTime) {
     EXPECT_EQ(for_window(*catalogue, find_scenario(*catalogue, "flow-live")).method.type, "newton");
     EXPECT_EQ(for_window(*catalogue, find_scenario(*catalogue, "plane-ring")).method.type, "auto");
