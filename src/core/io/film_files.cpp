@@ -40,9 +40,13 @@ const std::vector<FilmFormat>& film_formats() {
          .file = "film.webm",
          .drawn = true,
          .ffmpeg = true},
-        {.name = "pvd", .help = "Series of VTU files for ParaView", .file = "mesh.pvd", .several = true},
+        {.name = "pvd",
+         .help = "Series of VTU files for ParaView",
+         .file = "mesh.pvd",
+         .several = true,
+         .timed = false},
         {.name = "glb", .help = "Animated glTF, one morph target per frame", .file = "mesh.glb"},
-        {.name = "csv", .help = "Trajectories of nodes", .file = "trajectories.csv"},
+        {.name = "csv", .help = "Trajectories of nodes", .file = "trajectories.csv", .timed = false},
     };
     return formats;
 }

@@ -349,6 +349,42 @@ TEST_F(FilmFromWindowTest, AFrameIsTheSameInEveryKindOfView) {
     }
 }
 
+TEST(FilmDialogTest, FilesOfMeshesHaveNoRateAndNoLength) {
+    const auto catalogue = std::make_shared<Catalogue>(builtin_catalogue());
+    const Scenario scenario = find_scenario(*catalogue, "plane-ring");
+    HeadlessUi ui;
+    ItemRectangles items;
+    FilmDialog dialog;
+    gaspard::Run solve(catalogue, scenario);
+    dialog.show({{{0, 1, 2, 3}}, 2, solve.snapshot()->mesh, "", ""}, scenario.view, "/nowhere/film");
+    const auto draw = [&] { dialog.draw(items); };
+    const auto type = [&](const std::string& field, const std::string& text) {
+        ui.double_click(items.at(field), draw);
+        ui.type(text, draw);
+        ui.key(ImGuiKey_Tab, true), ui.frame(draw), ui.key(ImGuiKey_Tab, false), ui.frame(draw);
+    };
+    const auto choose = [&](const std::string& format) {
+        ui.click(items.at("film.format"), draw);
+        ui.frame(draw);
+        ui.click(items.at("film.format=" + format), draw);
+        ui.frame(draw);
+    };
+    for (int i = 0; i < 3; ++i) ui.frame(draw);
+    type("film.rate", "20");
+    type("film.seconds", "1");
+    EXPECT_EQ(dialog.estimate(), "20 frames, 1 s, and 1 s more at the end");
+    for (const char* format : {"pvd", "csv"}) {
+        choose(format);
+        EXPECT_EQ(dialog.estimate(), "4 meshes") << format;
+        type("film.seconds", "3"); // it is grey
+        type("film.rate", "5");
+        EXPECT_EQ(dialog.estimate(), "4 meshes") << format;
+        EXPECT_EQ(dialog.problem(), "");
+    }
+    choose("glb"); // an animation
+    EXPECT_EQ(dialog.estimate(), "20 frames, 1 s, and 1 s more at the end") << "what was typed before";
+}
+
 TEST(FilmDialogTest, AFormatWithoutItsProgramSaysHowToGetIt) {
     const OtherPath path("/nowhere");
     const auto catalogue = std::make_shared<Catalogue>(builtin_catalogue());
