@@ -70,7 +70,7 @@ class ParameterPanel {
     bool awaits_text() const { return formulas_.awaits_text() || focus_.pending(); }
     /// At the beginning of a frame, whether or not the panel is drawn in it. `takes_keys`: no list or dialog
     /// is open that they are meant for.
-    void begin_frame(bool takes_keys) { monitors_.begin_frame(), takes_keys_ = takes_keys; }
+    void begin_frame(bool takes_keys);
     /// Something will happen without input.
     bool waiting() const { return formulas_.waiting() || monitors_.waiting(); }
 
@@ -101,12 +101,15 @@ class ParameterPanel {
                              const Values* opened, Values& values);
     bool draw_number(const PanelContext& context, const ParameterRow& row, const std::string& key,
                      double& value, float width);
+    void follow_pointer(bool clicked, bool hovered);
     bool draw_typed(const PanelContext& context, const ParameterRow& row, const std::string& key,
                     double& value, float width);
 
     std::set<std::string, std::less<>> opened_; ///< the sections that show all rows
     std::size_t hidden_rows_ = 0;               ///< of the section that is drawn
     std::string focused_;                       ///< the key of the number that was clicked last
+    bool pointed_ = false;  ///< the pointer was brought to it, not it to the pointer by scrolling
+    double scrolled_ = -10; ///< when the wheel was last turned elsewhere, by ImGui::GetTime()
     bool takes_keys_ = true;
     std::string typing_;     ///< the key whose text field is being edited
     double typed_value_ = 0; ///< its content so far; it takes effect when the field is left
