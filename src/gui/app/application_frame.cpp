@@ -189,7 +189,8 @@ void Application::draw_sidebar() {
         if (open) changed |= panel_.draw_section(kind, context, scenario);
         ImGui::Spacing();
     }
-    changed |= draw_time_section(context, scenario);
+    const bool time_changed = draw_time_section(context, scenario);
+    changed |= time_changed;
     if (scenario.method.values.has("interpolation")) {
         const bool open = ImGui::CollapsingHeader("Why adapt?");
         remember_item(items_, "why");
@@ -215,7 +216,9 @@ void Application::draw_sidebar() {
     if (formula) document_.end_gesture();
     if (changed) { // once per frame; of those that wait, the solver takes the newest
         messages_.clear();
-        document_.change(run().id, scenario, formula);
+        // A time that is dragged may lead a formula out of its range; a dialog would interrupt.
+        const bool dragged = time_changed && ImGui::IsAnyItemActive();
+        document_.change(run().id, scenario, formula || dragged);
     }
     if (formula) document_.end_gesture();
     if (const auto wish = panel_.take_file_wish()) file_dialogs_.ask_for_value(*wish, run().scenario);
@@ -234,7 +237,7 @@ bool Application::draw_time_section(const PanelContext& context, Scenario& scena
     if (open) {
         std::vector<std::string> keys;
         for (const ParameterRow& row : scenario.time.rows()) keys.push_back(row.key);
-        changed = panel_.draw_rows(context, run().opened.time, scenario.time, keys);
+        changed = panel_.draw_rows(context, run().opened.time, scenario.time, keys, &scenario);
     }
     ImGui::Spacing();
     return changed;

@@ -54,9 +54,10 @@ class ParameterPanel {
   public:
     /// One section: its type and its rows. True when `scenario` changed.
     bool draw_section(SectionKind kind, const PanelContext& context, Scenario& scenario);
-    /// The rows of a section without types, such as view; `keys` names the rows to show.
+    /// The rows of a section without types, such as view; `keys` names the rows to show. `scenario`: the one
+    /// that the values are of, by which formulas are checked; may be null if there are none.
     bool draw_rows(const PanelContext& context, const Values& opened, Values& values,
-                   const std::vector<std::string>& keys);
+                   const std::vector<std::string>& keys, const Scenario* scenario = nullptr);
 
     /// The file that the user wants to choose for a value, once.
     std::optional<FileWish> take_file_wish() { return std::exchange(file_wish_, std::nullopt); }
@@ -92,6 +93,8 @@ class ParameterPanel {
                       const Values* opened, Values& values, const Scenario* scenario);
     void draw_formula(const PanelContext& context, const ParameterRow& row, const std::string& key,
                       Values& values, const Scenario& scenario);
+    void draw_motion(const PanelContext& context, const ParameterRow& row, const std::string& key,
+                     Values& values, const Scenario& scenario);
     SliderRange ends_of(const ParameterRow& row, const std::string& key, double value);
     void draw_text(const PanelContext& context, const ParameterRow& row, const std::string& key,
                    Values& values);

@@ -71,6 +71,65 @@ TEST_F(TimeApplicationTest, TheEquationHasTheValuesOfTheTimeThatIsShown) {
     EXPECT_TRUE(sidebar() == at_end);
 }
 
+TEST_F(TimeApplicationTest, AWrongFormulaStaysInItsFieldAndTheLastValidOneInForce) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    ImGui::GetIO().DisplaySize.y = 2000;
+    frame(), frame();
+    ui.click(item("time.more"), drawing());
+    for (int i = 0; i < 3; ++i) frame();
+    const std::string key = "time.monitor.center_x", row = "monitor.center_x";
+    const auto formula = [&] { return run().scenario.time.text(row); };
+    const auto type = [&](const std::string& text) {
+        replace_text(item(key), text);
+        for (int i = 0; i < 60; ++i) frame(); // a pause
+    };
+    const auto complaint = [&] { return application.items().contains(key + ".complaint"); };
+    const std::string before = formula();
+    EXPECT_FALSE(complaint());
+    for (const char* wrong : {"center_x + t*", "center_x + q*t", "center_x + x", "1/(t-t)"}) {
+        type(wrong);
+        EXPECT_TRUE(complaint()) << wrong;
+        EXPECT_EQ(formula(), before) << wrong;
+        ui.click(item("time"), drawing()); // leaves the field, and closes the section
+        for (int i = 0; i < 3; ++i) frame();
+        ui.click(item("time"), drawing());
+        for (int i = 0; i < 3; ++i) frame();
+        EXPECT_TRUE(complaint()) << "what is typed is still there: " << wrong;
+        EXPECT_FALSE(application.messages().error().open()) << wrong;
+    }
+    EXPECT_EQ(run().status.run, RunStatus::converged) << "the solver never saw it";
+    type("center_x + t/8");
+    EXPECT_FALSE(complaint());
+    EXPECT_EQ(formula(), "center_x + t/8");
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
+    type("center_x +");
+    ui.click(item(key + ".reset"), drawing());
+    for (int i = 0; i < 3; ++i) frame();
+    EXPECT_FALSE(complaint()) << "the arrow takes it back";
+    EXPECT_EQ(formula(), "center_x + t/8");
+    replace_text(item("time.path"), "0 0.2");
+    for (int i = 0; i < 60; ++i) frame();
+    EXPECT_TRUE(application.items().contains("time.path.complaint"));
+    EXPECT_EQ(run().scenario.time.text("path"), "");
+    application.perform("undo");
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
+    EXPECT_EQ(formula(), before) << "what is wrong is no edit";
+}
+
+TEST_F(TimeApplicationTest, AnEndThatIsDraggedTooFarOpensNoDialog) {
+    Scenario growing = run().scenario;
+    set_value(*catalogue, growing, "time.monitor.center_x", std::string());
+    set_value(*catalogue, growing, "time.monitor.radius", std::string("radius + t/4"));
+    application.document().change(run().id, growing);
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
+    ImGui::GetIO().DisplaySize.y = 2000;
+    frame(), frame();
+    ui.drag(item("time.end"), 0.1F, 0.9F, drawing());
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
+    EXPECT_FALSE(application.messages().error().open()) << application.messages().error().sentence();
+    EXPECT_LT(run().scenario.time.real("end"), 5);
+}
+
 TEST_F(TimeApplicationTest, KeepsTheMethodOfAScenarioWithTime) {
     EXPECT_EQ(for_window(*catalogue, find_scenario(*catalogue, "flow-live")).method.type, "newton");
     EXPECT_EQ(for_window(*catalogue, find_scenario(*catalogue, "plane-ring")).method.type, "auto");
