@@ -212,8 +212,10 @@ Film::Film(FilmPlan plan, const Recording& recording, std::shared_ptr<const Snap
       view_(std::move(view)), length_(film_length(plan_, iterations_.size())) {
     GASPARD_CHECK(last_ != nullptr);
     if (plan_.motions.time) hold_camera();
-    if (plan_.motions.shows_iterates())
-        view_ = with_range(view_, range_of_recording(recording_, last_.get(), colour_choice(view_)));
+    if (plan_.motions.shows_iterates() && view_.text("range") != "fixed")
+        view_ = with_range(view_, plan_.motions.time
+                                      ? range_of_time()
+                                      : range_of_recording(recording_, last_.get(), colour_choice(view_)));
     last_ = iterate(iterations_.back());
 }
 
@@ -227,6 +229,20 @@ void Film::hold_camera() {
     const Size size = size_of(view_);
     const bool beside = layout == "side-by-side" || layout == "field-and-mesh";
     if (layout != "computational") view_.set("camera", format_camera(whole_plane(box, view_, beside), size));
+}
+
+/// Of all frames; tangled meshes count only where no other is shown.
+std::optional<ColourRange> Film::range_of_time() const {
+    const ColourChoice choice = colour_choice(view_);
+    std::optional<ColourRange> range;
+    for (const bool tangled : {false, true}) {
+        for (int k = 0; k < length_.frames && (!tangled || !range); ++k) {
+            if (k > 0 && iteration(k) == iteration(k - 1)) continue;
+            const auto shown = iterate(iteration(k));
+            if ((shown->report.tangled_cells.value_or(0) > 0) == tangled) cover(range, *shown, choice);
+        }
+    }
+    return range;
 }
 
 double Film::place(int frame) const {

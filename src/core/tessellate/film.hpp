@@ -77,8 +77,9 @@ struct FilmFrame {
 
 class Film {
   public:
-    /// Of a recording and its last iterate. `view` of view_rows(); an automatic range of colours is
-    /// range_of_recording(). Throws InputError for more than most_film_frames.
+    /// Of a recording and its last iterate. `view` of view_rows(). An automatic range of colours is the same
+    /// in all frames: of iterates range_of_recording(), of time steps one that covers all meshes of the film
+    /// but tangled ones, since none of them is the result. Throws InputError for more than most_film_frames.
     Film(FilmPlan plan, const Recording& recording, std::shared_ptr<const Snapshot> last, Values view);
     int frames() const { return length_.frames; }
     double rate() const { return length_.rate; }
@@ -93,6 +94,7 @@ class Film {
   private:
     double place(int frame) const;
     void hold_camera();
+    std::optional<ColourRange> range_of_time() const;
     std::shared_ptr<const Snapshot> iterate(int iteration) const;
 
     FilmPlan plan_;

@@ -127,6 +127,51 @@ TEST(Film, TheRangeLeavesOutWhatIsTangled) {
         << "of the iterate before the first tangled one";
 }
 
+TEST(Film, OfTimeHasOneRangeForAllOfItsMeshes) {
+    // The mesh rests at the start and at the end, and is fastest in between.
+    const Solved run = solved(
+        "plane-ring", {"domain.cells=8", "method.type=newton", "time.end=2", "time.step=0.1",
+                       "time.monitor.center_x=center_x + 0.1*(1 - cos(pi*t))", "view.color=mesh_speed"});
+    const Film film({.motions = {.time = true}}, run.recording, run.last, run.scenario.view);
+    double fastest = 0;
+    for (int k = 0; k < film.frames(); ++k)
+        fastest = std::max(
+            fastest, make_colouring(*film.frame(k).snapshot, colour_choice(run.scenario.view))->range.high);
+    const ColourChoice choice = colour_choice(run.scenario.view);
+    ASSERT_GT(fastest, 2 * make_colouring(*run.last, choice)->range.high);
+    for (int k = 0; k < film.frames(); ++k) {
+        EXPECT_EQ(film.frame(k).view.text("range"), "fixed");
+        EXPECT_EQ(film.frame(k).view.real("high"), fastest) << "none is beyond";
+        EXPECT_EQ(film.frame(k).view.real("low"), 0) << "the first mesh rests";
+    }
+    const Film part({.motions = {.time = true}, .last = film.iteration(3)}, run.recording, run.last,
+                    run.scenario.view);
+    EXPECT_LT(part.frame(0).view.real("high"), 0.8 * fastest) << "of those that are shown";
+    Values own = run.scenario.view;
+    own.set("range", std::string("fixed")), own.set("high", 7.0);
+    EXPECT_EQ(Film({.motions = {.time = true}}, run.recording, run.last, own).frame(2).view.real("high"), 7);
+}
+
+TEST(Film, OfTimeTheRangeLeavesOutWhatIsTangled) {
+    const Solved run = solved("plane-ring", {"domain.cells=8", "method.type=newton", "time.end=1",
+                                             "time.step=0.25", "time.monitor.center_x=center_x + t/10"});
+    const int end = run.last->report.iteration;
+    Recording recording(std::size_t{1} << 30);
+    for (const int k : run.recording.iterations()) {
+        Snapshot snapshot = *run.recording.at(k)->restore();
+        snapshot.report.tangled_cells = k == end - 1 ? 3 : 0;
+        for (Field& field : snapshot.fields)
+            if (field.name == "monitor" && k == end - 1)
+                for (double& value : field.values) value *= 1000;
+        recording.add(snapshot);
+    }
+    const Film film({.motions = {.time = true}}, recording, run.last, run.scenario.view);
+    EXPECT_LT(film.frame(0).view.real("high"), 100);
+    const Film tangled({.motions = {.time = true}, .first = end - 1, .last = end - 1}, recording, run.last,
+                       run.scenario.view);
+    EXPECT_GT(tangled.frame(0).view.real("high"), 1000) << "it shows nothing else";
+}
+
 TEST(Film, GoesToTheAdaptedMeshAndBack) {
     const Solved run = ring();
     const Film film({.motions = {.blend = true}, .frames = 8}, run.recording, run.last, run.scenario.view);
