@@ -95,6 +95,8 @@ std::string film_record(const Scenario& scenario, const FilmPlan& plan, int fram
     if (plan.motions.camera) json["from"] = plan.from, json["to"] = plan.to;
     if (plan.first) json["first"] = *plan.first;
     if (plan.last) json["last"] = *plan.last;
+    if (plan.from_time) json["from_time"] = *plan.from_time;
+    if (plan.to_time) json["to_time"] = *plan.to_time;
     json["values"] = to_toml(scenario);
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }

@@ -63,6 +63,8 @@ void FilmDialog::show(FilmSubject subject, const Values& view, std::string stem)
     height_ = static_cast<double>(view.integer("height"));
     first_ = subject_.iterates.recorded.front(), last_ = subject_.iterates.recorded.back(),
     still_ = subject_.shown;
+    if (!subject_.iterates.times.empty())
+        from_time_ = subject_.iterates.times.front(), to_time_ = subject_.iterates.times.back();
     seconds_.reset();
     to_ = subject_.camera;
     if (from_.empty() || !subject_.earlier.empty()) from_ = subject_.earlier;
@@ -109,9 +111,16 @@ void FilmDialog::set_file(const std::string& file) {
 FilmPlan FilmDialog::plan() const {
     FilmPlan plan{.motions = {}, .rate = format().timed ? rate_ : 0};
     for (std::size_t i = 0; i < motions_.size(); ++i) plan.motions.*film_motions()[i].member = motions_[i];
-    if (plan.motions.shows_iterates() && first_ != subject_.iterates.recorded.front()) plan.first = first_;
-    const int last = plan.motions.shows_iterates() ? last_ : still_;
-    if (last != subject_.iterates.recorded.back()) plan.last = last;
+    const std::vector<double>& times = subject_.iterates.times;
+    if (plan.motions.time && !times.empty()) {
+        if (from_time_ != times.front()) plan.from_time = from_time_;
+        if (to_time_ != times.back()) plan.to_time = to_time_;
+    } else {
+        const int last = plan.motions.shows_iterates() ? last_ : still_;
+        if (plan.motions.shows_iterates() && first_ != subject_.iterates.recorded.front())
+            plan.first = first_;
+        if (last != subject_.iterates.recorded.back()) plan.last = last;
+    }
     if (plan.motions.camera) plan.from = from_, plan.to = to_;
     if (seconds_ && format().timed) {
         const double frames = std::round(*seconds_ * rate());
@@ -126,6 +135,16 @@ double FilmDialog::rate() const {
     FilmPlan any{.motions = {}, .frames = 1};
     for (std::size_t i = 0; i < motions_.size(); ++i) any.motions.*film_motions()[i].member = motions_[i];
     return film_length(any, 1).rate;
+}
+
+/// Throws InputError for times that were not recorded.
+void FilmDialog::check_times(const FilmPlan& film) const {
+    if (!film.from_time && !film.to_time) return;
+    const std::vector<double>& times = subject_.iterates.times;
+    for (const double t : {from_time_, to_time_})
+        if (!(t >= times.front() && t <= times.back()))
+            throw InputError("the times of the film must be from " + short_number(times.front(), 6) + " to " +
+                             short_number(times.back(), 6) + ", not " + short_number(t, 6));
 }
 
 std::string FilmDialog::problem() const {
@@ -143,6 +162,7 @@ std::string FilmDialog::problem() const {
         return "The motion camera needs two views: Ctrl+C copies that of the window as text.";
     const std::string wrong = complaint_of([&] {
         parse_film_motions(join(names, ","));
+        check_times(film);
         check_film(film, *subject_.mesh, *view_);
         check_film_formats(film, {&format()});
         film_length(film, film_iterations(film, subject_.iterates).size());
@@ -206,7 +226,24 @@ void FilmDialog::draw_cameras(ItemRectangles& items) {
     }
 }
 
+/// Those of the motion time.
+void FilmDialog::draw_times(ItemRectangles& items) {
+    label_before("Times");
+    number_field("##from-time", from_time_, "%.6g");
+    remember_item(items, "film.from-time");
+    ImGui::SameLine();
+    ImGui::TextUnformatted("to");
+    ImGui::SameLine();
+    number_field("##to-time", to_time_, "%.6g");
+    remember_item(items, "film.to-time");
+    ImGui::SameLine();
+    const std::vector<double>& times = subject_.iterates.times;
+    ImGui::TextDisabled("recorded: t = %s to %s", short_number(times.front(), 6).c_str(),
+                        short_number(times.back(), 6).c_str());
+}
+
 void FilmDialog::draw_iterates(ItemRectangles& items) {
+    if (plan().motions.time && !subject_.iterates.times.empty()) return draw_times(items);
     const bool several = plan().motions.shows_iterates();
     label_before(several ? "Iterations" : "Iteration");
     if (several) {
@@ -265,8 +302,9 @@ void FilmDialog::draw_length(ItemRectangles& items) {
     const bool timed = format().timed;
     const auto explain = [&] { // why the fields are grey
         if (!timed && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-            ImGui::SetTooltip("%s has each mesh once, with its time or iteration: it has no rate and no length",
-                              capitals(format().name).c_str());
+            ImGui::SetTooltip(
+                "%s has each mesh once, with its time or iteration: it has no rate and no length",
+                capitals(format().name).c_str());
     };
     ImGui::BeginDisabled(!timed);
     label_before("Rate");

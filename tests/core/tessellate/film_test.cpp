@@ -10,6 +10,10 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace gaspard {
 namespace {
@@ -290,6 +294,37 @@ TEST(Film, OfTimeBeginsWithTheSolvedMesh) {
     EXPECT_EQ(usual_motion(still.scenario), "iterations");
     EXPECT_THROW(parse_film_motions("time,iterations"), InputError);
     EXPECT_TRUE(parse_film_motions("time,turn").time);
+}
+
+TEST(Film, OfTimeIsFromOneTimeToAnother) {
+    const Solved run = solved("plane-ring", {"domain.cells=8", "method.type=newton", "time.start=2",
+                                             "time.end=3", "time.step=0.25", "time.monitor.center_x=t/10"});
+    const auto times = [&](std::optional<double> from, std::optional<double> to) {
+        const Film film({.motions = {.time = true}, .from_time = from, .to_time = to}, run.recording,
+                        run.last, run.scenario.view);
+        std::vector<double> all;
+        for (int k = 0; k < film.frames(); ++k) all.push_back(film.moment(k));
+        return all;
+    };
+    using Times = std::vector<double>;
+    EXPECT_EQ(times(2.25, 2.75), (Times{2.25, 2.5, 2.75}));
+    EXPECT_EQ(times({}, 2.25), (Times{2, 2.25}));
+    EXPECT_EQ(times(2.6, {}), (Times{2.5, 2.75, 3})) << "the nearest mesh";
+    EXPECT_EQ(times(2.51, 2.52), (Times{2.5}));
+    EXPECT_EQ(times(2, 3), times({}, {}));
+    for (const auto& [from, to] : {std::pair(3.5, 4.0), {0.0, 1.0}}) try {
+            times(from, to);
+            ADD_FAILURE() << from;
+        } catch (const InputError& error) {
+            EXPECT_NE(std::string(error.what()).find("t = 2 to 3"), std::string::npos) << error.what();
+        }
+    const auto refused = [&](const FilmPlan& plan) {
+        EXPECT_THROW(check_film(plan, *run.last->mesh, run.scenario.view), InputError);
+    };
+    refused({.motions = {.iterations = true}, .from_time = 2});
+    refused({.motions = {.time = true}, .from_time = 2.5, .to_time = 2.25});
+    refused({.motions = {.time = true}, .first = 3, .from_time = 2.5});
+    refused({.motions = {.time = true}, .last = 3, .to_time = 2.5});
 }
 
 TEST(Film, RefusesWhatMakesNoSense) {

@@ -121,6 +121,35 @@ TEST_F(FilmFromWindowTest, OnlySomeIteratesInOneFile) {
     EXPECT_EQ(files(folder), (std::vector<std::string>{"part.apng"})) << "no frames are left beside it";
 }
 
+TEST_F(FilmFromWindowTest, AFilmOfTimeIsChosenByTimes) {
+    Scenario moving = small_ring();
+    apply_settings(*catalogue, moving,
+                   {"method.type=newton", "time.end=1", "time.step=0.1",
+                    "time.monitor.center_x=center_x + t/9", "view.color=mesh_speed", "view.width=160",
+                    "view.height=120"});
+    const auto before = run().openings;
+    application.document().replace(run().id, moving);
+    ASSERT_TRUE(wait_until([&] { return run().openings > before && run().ended(); }));
+    click("action.record-film");
+    EXPECT_FALSE(shows("film.first")) << "rows of the history say nothing";
+    fill("film.from-time", "0.3");
+    fill("film.to-time", "1.5");
+    click("film.ok");
+    EXPECT_TRUE(shows("film.ok")) << "there is no such time";
+    fill("film.to-time", "0.7");
+    begin("png", "part");
+    ASSERT_TRUE(saved("part", 5)) << said();
+    const FilmPlan plan{.motions = {.time = true}, .from_time = 0.3, .to_time = 0.7};
+    const std::vector<Image> expected = recorded_again(plan);
+    ASSERT_EQ(expected.size(), 5U);
+    for (int k = 0; k < 5; ++k)
+        EXPECT_EQ(frame_of("part", k).rgba, expected[static_cast<std::size_t>(k)].rgba)
+            << "with one range of colours, as of the command: " << k;
+    Scenario scenario = run().scenario;
+    scenario.view = look();
+    EXPECT_EQ(read_file(folder / "part" / "film.json"), film_record(scenario, plan, 5));
+}
+
 TEST_F(FilmFromWindowTest, FilesOfTheMesh) {
     begin("csv", "nodes");
     ASSERT_TRUE(saved("nodes.csv", iterates())) << said();
