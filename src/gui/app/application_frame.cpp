@@ -379,8 +379,8 @@ void Application::draw_plots(const FrameContext& context) {
     for (std::size_t i = 0; i < studies.size(); ++i)
         if (plot_pane_.choices()[i].plot == section_plot) studies[i] = section_of(plot_pane_.choices()[i]);
     const auto before = plot_pane_.choices();
-    const auto wish = plot_pane_.frame(document_, layout_.first_plot, layout_.second_plot, context,
-                                       longest(), studies, playback_.live() ? nullptr : shown_report());
+    const auto wish = plot_pane_.frame(document_, layout_.first_plot, layout_.second_plot, context, longest(),
+                                       studies, playback_.live() ? nullptr : shown_report());
     offer_section_line(before);
     if (wish) fulfil(*wish);
     if (const auto iteration = plot_pane_.take_pointed()) {

@@ -5,8 +5,8 @@
 // a view, and the keeping, removing, renaming and hiding of runs. The values of one gesture, such as the drag
 // of a slider, are one edit. Not edits: starting, pausing, stepping, resetting, going on from an iterate and
 // the run that this keeps, comparisons of methods (method_comparison.hpp), and the pick of a view, which undo
-// leaves as it is. An opening becomes an edit when the solver has accepted it; other changes at once, but what
-// the solver refuses leaves no edit.
+// leaves as it is. An opening becomes an edit when the solver has accepted it; other changes at once, but
+// what the solver refuses leaves no edit.
 #pragma once
 
 #include "gui/document/document_run.hpp"
@@ -79,8 +79,9 @@ class Document {
     void reset(RunId run); ///< to the start, paused
     /// Runs from a state, such as that of a file, without an edit. If it does not fit, the mesh stays.
     void start_from(RunId run, std::shared_ptr<const State> state);
-    /// Keeps the run as it is, then goes back to a recorded iterate that has its state, at its time, and pauses
-    /// there. Not an edit: undo would remove what was solved after that iterate. The run that was kept, if any.
+    /// Keeps the run as it is, then goes back to a recorded iterate that has its state, at its time, and
+    /// pauses there. Not an edit: undo would remove what was solved after that iterate. The run that was
+    /// kept, if any.
     std::optional<RunId> go_on_from(RunId run, const RecordedIterate& iterate);
 
     /// Adds a copy of a run as it is now, with a name of its own. Nothing before the first report.

@@ -80,9 +80,8 @@ std::string values_by_symbol(const Values& values) {
 
 std::string values_at_time(const Values& values, double t) {
     const auto& rows = values.rows();
-    const bool named = std::ranges::any_of(rows, [](const ParameterRow& row) {
-        return row.role == ParameterRole::time && row.symbol == "t";
-    });
+    const bool named = std::ranges::any_of(
+        rows, [](const ParameterRow& row) { return row.role == ParameterRole::time && row.symbol == "t"; });
     const std::string others = values_by_symbol(values);
     if (named) return others;
     return "t = " + short_number(t, 6) + (others.empty() ? "" : "   " + others);

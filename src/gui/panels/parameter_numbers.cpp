@@ -65,8 +65,8 @@ void ParameterPanel::begin_frame(bool takes_keys) {
     if (ImGui::GetIO().MouseWheel != 0 && !pointed_) scrolled_ = ImGui::GetTime();
 }
 
-/// Of the field that was clicked last: the wheel steps it while the pointer is on it, but not if it came there
-/// by scrolling, since the same turn of the wheel goes on.
+/// Of the field that was clicked last: the wheel steps it while the pointer is on it, but not if it came
+/// there by scrolling, since the same turn of the wheel goes on.
 void ParameterPanel::follow_pointer(bool clicked, bool hovered) {
     constexpr double burst = 0.5; // seconds between two steps of one turn of the wheel
     const ImVec2 moved = ImGui::GetIO().MouseDelta;

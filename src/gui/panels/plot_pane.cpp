@@ -198,8 +198,8 @@ bool PlotPane::draw_curves(const Document& document, Shown& plot, const Plot& st
     if (sweeps)
         sweep_ = PlotSweep{plot.choice.abscissa, *pointing.x};
     else
-        pointed_ = abscissa == "iterations" ? *pointing.x
-                                            : iteration_at(longest.history, abscissa, *pointing.x);
+        pointed_ =
+            abscissa == "iterations" ? *pointing.x : iteration_at(longest.history, abscissa, *pointing.x);
     return menu;
 }
 

@@ -1,7 +1,7 @@
 // A number as one wide field: its label at the left, its value at the right, and a fill as wide as the
 // value's place within its range. Dragging along it changes the value (with Shift ten times as finely), a
-// double click or a click with Ctrl asks for a text field, and arrow keys, and the wheel while the pointer is on
-// it, step the field that was clicked last.
+// double click or a click with Ctrl asks for a text field, and arrow keys, and the wheel while the pointer is
+// on it, step the field that was clicked last.
 #pragma once
 
 #include "gui/base/frame_context.hpp"

@@ -1,6 +1,5 @@
-#include "gui/document/playback.hpp"
-
 #include "core/session/time_series.hpp"
+#include "gui/document/playback.hpp"
 #include "gui/document_fixture.hpp"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
-#include "gui/document/values_in_time.hpp"
-
 #include "core/scenario/catalogue.hpp"
 #include "core/scenario/toml.hpp"
+#include "gui/document/values_in_time.hpp"
 
 #include <gtest/gtest.h>
 #include <string>

@@ -195,7 +195,7 @@ TEST_F(PanelTest, ScrollingThePanelChangesNoFieldThatComesUnderThePointer) {
     const float scrolled = at_first.top - cells().top;
     ASSERT_GT(scrolled, 60) << "the panel scrolls";
     EXPECT_EQ(scenario, opened);
-    for (int i = 0; i < 60; ++i) ui.frame(draw); // a second
+    for (int i = 0; i < 60; ++i) ui.frame(draw);       // a second
     ui.move(at_first.center_x(), at_first.center_y()); // where the field will come back to
     for (int i = 0; i < 3; ++i) ui.frame(draw);
     for (int i = 0; i < 20; ++i) {
