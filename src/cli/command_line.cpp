@@ -129,6 +129,11 @@ void add_record(CLI::App& app, RecordArguments& record) {
         ->add_option("--last", record.last,
                      "Last iteration to show, which other motions show too (default: the end)")
         ->type_name("N");
+    command
+        ->add_option("--from-time", record.from_time,
+                     "Of a film of time: first t, or the nearest (default: the start)")
+        ->type_name("T");
+    command->add_option("--to-time", record.to_time, "Its last t (default: the end)")->type_name("T");
     command->add_option("--from", record.from, "First view of the motion camera, as view.camera")
         ->type_name("CAMERA");
     command->add_option("--to", record.to, "Its last view")->type_name("CAMERA");

@@ -54,7 +54,8 @@ struct StudyArguments {
 struct RecordArguments {
     std::string scenario;
     std::vector<std::string> settings;
-    std::optional<std::string> motion, frames, rate, first, last, from, to, formats, size, nodes;
+    std::optional<std::string> motion, frames, rate, first, last, from_time, to_time, from, to, formats, size,
+        nodes;
     std::string out; ///< empty: ./gaspard-out/SCENARIO-film
     bool resume = false, quiet = false;
     bool overwrite = false; ///< also files of another scenario

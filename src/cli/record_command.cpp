@@ -8,6 +8,7 @@
 #include "core/base/user_path.hpp"
 #include "core/io/film_writer.hpp"
 #include "core/io/run_folder.hpp"
+#include "core/scenario/time_rows.hpp"
 #include "core/session/run.hpp"
 #include "core/session/time_series.hpp"
 #include "core/tessellate/film.hpp"
@@ -41,6 +42,18 @@ Number number_of(const std::string& option, const std::string& text, Number leas
     return value;
 }
 
+/// One of the times of a scenario.
+double time_of_option(const std::string& option, const std::string& text, const Values& time) {
+    if (!has_time(time)) throw InputError(option + " needs a scenario with time: time.end after time.start");
+    const double start = time.real("start"), end = time.real("end");
+    double value = 0;
+    const auto [after, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (code != std::errc{} || after != text.data() + text.size() || !(value >= start) || !(value <= end))
+        throw InputError(option + " must be a time from " + format_number(start) + " to " +
+                         format_number(end) + ", not '" + text + "'");
+    return value;
+}
+
 FilmPlan plan_of(const RecordArguments& arguments, const Scenario& scenario) {
     FilmPlan plan;
     plan.motions = parse_film_motions(arguments.motion.value_or(std::string(usual_motion(scenario))));
@@ -49,6 +62,9 @@ FilmPlan plan_of(const RecordArguments& arguments, const Scenario& scenario) {
     constexpr int most_iterations = 1000000000;
     if (arguments.first) plan.first = number_of("--first", *arguments.first, 0, most_iterations);
     if (arguments.last) plan.last = number_of("--last", *arguments.last, 0, most_iterations);
+    const Values& time = scenario.time;
+    if (arguments.from_time) plan.from_time = time_of_option("--from-time", *arguments.from_time, time);
+    if (arguments.to_time) plan.to_time = time_of_option("--to-time", *arguments.to_time, time);
     plan.from = arguments.from.value_or("");
     plan.to = arguments.to.value_or("");
     return plan;

@@ -1175,6 +1175,36 @@ class Films(Contract):
         series = xml.etree.ElementTree.parse(self.path("mesh.pvd")).findall(".//DataSet")
         self.assertEqual([float(one.get("timestep")) for one in series], [1, 2, 3])
 
+    MOVING = ["--set", "method.type=newton", "--set", "time.end=0.5", "--set", "time.step=0.1", "--set",
+              "time.monitor.radius=0.25 - t/9"]
+
+    def test_a_film_of_some_times(self):
+        result = self.record(*self.MOVING, "--formats", "pvd", "--from-time", "0.2", "--to-time", "0.42")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        series = xml.etree.ElementTree.parse(self.path("mesh.pvd")).findall(".//DataSet")
+        self.assertEqual([float(one.get("timestep")) for one in series], [0.2, 0.3, 0.4])
+
+    def test_times_that_are_not_there_are_one_sentence(self):
+        for arguments, part in ((["--from-time", "3"], "from 0 to 0.5, not '3'"), (["--to-time", "x"], "from 0 to 0.5"),
+                                (["--to-time", "nan"], "from 0 to 0.5"),
+                                (["--from-time", "0.4", "--to-time", "0.2"], "is later than"),
+                                (["--from-time", "0.2", "--first", "3"], "choose one"),
+                                (["--from-time", "0.2", "--motion", "iterations"], "not asked for")):
+            self.refused(self.record(*self.MOVING, *arguments), part)
+            self.assertFalse(os.path.exists(self.out), arguments)
+        self.refused(self.record("--from-time", "0.2"), "needs a scenario with time")
+
+    def test_resume_makes_frames_again_that_are_not_whole(self):
+        film = [*self.MOVING, "--set", "view.color=mesh_speed", "--formats", "png"]
+        self.assertEqual(self.record(*film).returncode, 0)
+        before = {name: self.bytes("frames/" + name) for name in self.frames()}
+        self.assertEqual(len(before), 6)
+        for name, size in (("00001.png", 0), ("00004.png", len(before["00004.png"]) - 20)):
+            os.truncate(self.path("frames/" + name), size)
+        self.assertEqual(self.record(*film, "--resume").returncode, 0)
+        self.assertEqual({name: self.bytes("frames/" + name) for name in self.frames()}, before,
+                         "the colours have the same range")
+
     def test_frames_of_others_are_not_replaced(self):
         os.makedirs(self.path("frames"))
         with open(self.path("frames/00000.png"), "w") as file:

@@ -40,9 +40,13 @@ const std::vector<FilmFormat>& film_formats() {
          .file = "film.webm",
          .drawn = true,
          .ffmpeg = true},
-        {.name = "pvd", .help = "Series of VTU files for ParaView", .file = "mesh.pvd", .several = true},
+        {.name = "pvd",
+         .help = "Series of VTU files for ParaView",
+         .file = "mesh.pvd",
+         .several = true,
+         .timed = false},
         {.name = "glb", .help = "Animated glTF, one morph target per frame", .file = "mesh.glb"},
-        {.name = "csv", .help = "Trajectories of nodes", .file = "trajectories.csv"},
+        {.name = "csv", .help = "Trajectories of nodes", .file = "trajectories.csv", .timed = false},
     };
     return formats;
 }
@@ -91,6 +95,8 @@ std::string film_record(const Scenario& scenario, const FilmPlan& plan, int fram
     if (plan.motions.camera) json["from"] = plan.from, json["to"] = plan.to;
     if (plan.first) json["first"] = *plan.first;
     if (plan.last) json["last"] = *plan.last;
+    if (plan.from_time) json["from_time"] = *plan.from_time;
+    if (plan.to_time) json["to_time"] = *plan.to_time;
     json["values"] = to_toml(scenario);
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }

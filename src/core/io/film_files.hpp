@@ -25,6 +25,7 @@ struct FilmFormat {
     bool drawn = false;   ///< needs the frames as images
     bool ffmpeg = false;  ///< is made by that program
     bool several = false; ///< has many files, in a folder of their own
+    bool timed = true;    ///< its frames follow each other at a rate; else it has each mesh once
 };
 const std::vector<FilmFormat>& film_formats();
 /// Parses a list such as "apng,mp4". Throws InputError for an unknown name and where ffmpeg is missing.

@@ -1,9 +1,11 @@
 #include "core/io/film_writer.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/read_file.hpp"
 #include "core/io/apng.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/formats.hpp"
+#include "core/io/png_chunks.hpp"
 #include "core/io/video.hpp"
 
 #include <algorithm>
@@ -19,6 +21,23 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// Whether a file of an earlier part is there and whole. What this program writes is; but a copy that ran out
+/// of space, or a disk that failed, may have left part of it, or a file without content.
+bool is_whole(const fs::path& file) {
+    std::error_code unknown;
+    if (!fs::is_regular_file(file, unknown)) return false;
+    try {
+        const std::string bytes = read_file(file);
+        if (file.extension() == ".vtu") return bytes.ends_with("</VTKFile>\n");
+        png_chunks(bytes, file);
+        return true;
+    } catch (const MachineError&) {
+        return false;
+    } catch (const InputError&) { // it cannot be read
+        return false;
+    }
+}
+
 class FilmParts {
   public:
     FilmParts(const Film& film, const fs::path& folder, const FilmWriting& writing)
@@ -28,7 +47,7 @@ class FilmParts {
         make_folder(folder_ / "frames");
         for (int k = 0; k < film_.frames(); ++k) {
             const fs::path file = frame_file(folder_ / "frames", k, ".png");
-            if (writing_.resumed && fs::exists(file)) continue; // of an earlier part
+            if (writing_.resumed && is_whole(file)) continue;
             begin("frame", k + 1, film_.frames());
             write_png(file, writing_.draw(k));
         }
@@ -63,7 +82,7 @@ class FilmParts {
         make_folder(folder_ / "mesh");
         for (const int k : frames_with_meshes(film_)) {
             const fs::path file = frame_file(folder_ / "mesh", k, ".vtu");
-            if (writing_.resumed && fs::exists(file)) continue; // of an earlier part
+            if (writing_.resumed && is_whole(file)) continue;
             begin("mesh", k + 1, film_.frames());
             write_vtu(file, *film_.frame(k).snapshot);
         }

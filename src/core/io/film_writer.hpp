@@ -18,7 +18,7 @@ namespace gaspard {
 struct FilmWriting {
     std::vector<const FilmFormat*> formats;
     std::size_t nodes = usual_film_nodes; ///< at most so many in trajectories.csv
-    bool resumed = false;                 ///< frames and meshes that are there already stay
+    bool resumed = false;                 ///< frames and meshes that are there already, and whole, stay
     /// The image of a frame, of which the first is 0. Asked for in ascending order, on the calling thread.
     std::function<Image(int frame)> draw{};
     /// Told before each part: what is made, which one, of how many: "frame", 3, 64. Of a file that is made

@@ -16,8 +16,6 @@ namespace gaspard {
 
 namespace {
 
-constexpr int moments_checked = 2000; // at which values are checked before a run begins
-
 std::string at_time(double t) { return " at t = " + short_number(t, 6); }
 
 /// Into the range of a periodic parameter.
@@ -123,7 +121,7 @@ std::string write_path(const std::vector<PathPoint>& path) {
     return text;
 }
 
-Clock::Clock(Scenario scenario)
+Clock::Clock(Scenario scenario, int moments)
     : scenario_(std::move(scenario)), start_(scenario_.time.real("start")), end_(scenario_.time.real("end")),
       step_(scenario_.time.real("step")) {
     GASPARD_CHECK(end_ > start_);
@@ -159,9 +157,9 @@ Clock::Clock(Scenario scenario)
     path_ = parse_path(scenario_.time.text("path"));
     if (!path_.empty()) take_path();
     Values values = scenario_.monitor.values;
-    for (int i = 0; i <= std::min(steps_, moments_checked); ++i)
-        move(values, time(static_cast<int>(
-                         std::lround(static_cast<double>(i) * steps_ / std::min(steps_, moments_checked)))));
+    const int checked = std::min(steps_, moments);
+    for (int i = 0; i <= checked; ++i)
+        move(values, time(static_cast<int>(std::lround(static_cast<double>(i) * steps_ / checked))));
 }
 
 Clock::~Clock() = default;

@@ -33,9 +33,12 @@ class Clock {
   public:
     static constexpr int most_steps = 10'000'000;
 
+    static constexpr int usual_moments = 2000;
+
     /// Of a scenario with time (has_time). Throws InputError if a formula or the path is invalid, if there
-    /// are more than most_steps, or if at some of the times a value is out of its range.
-    explicit Clock(Scenario scenario);
+    /// are more than most_steps, or if a value is out of its range at one of `moments` times, or of all times
+    /// if there are fewer, which takes about 20 µs for each and each formula.
+    explicit Clock(Scenario scenario, int moments = usual_moments);
     ~Clock();
 
     int steps() const { return steps_; } ///< K

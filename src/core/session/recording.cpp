@@ -138,6 +138,21 @@ std::shared_ptr<const RecordedIterate> Recording::at(int iteration) const {
     return after == kept_.begin() ? kept_.front() : *std::prev(after);
 }
 
+std::shared_ptr<const RecordedIterate> Recording::at_time(double t, int iteration) const {
+    std::lock_guard lock(mutex_);
+    if (kept_.empty() || !time_of(kept_.front()->report())) return nullptr;
+    const auto time = [](const std::shared_ptr<const RecordedIterate>& one) {
+        return time_of(one->report()).value_or(0);
+    };
+    auto nearest = std::ranges::lower_bound(kept_, t, {}, time);
+    const bool before = nearest == kept_.end() ||
+                        (nearest != kept_.begin() && t - time(*std::prev(nearest)) < time(*nearest) - t);
+    if (before) --nearest;
+    const auto [first, last] = std::ranges::equal_range(kept_, time(*nearest), {}, time);
+    const auto after = std::upper_bound(first, last, iteration, up_to);
+    return after == first ? *first : *std::prev(after);
+}
+
 bool Recording::wants_state(int iteration) const {
     std::lock_guard lock(mutex_);
     return kept_.empty() || iteration % (between_states * stride_) == 0;

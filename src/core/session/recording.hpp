@@ -61,6 +61,9 @@ class Recording {
     std::vector<int> iterations() const;
     /// The newest iterate that is kept of those up to `iteration`, or the first one; null if there are none.
     std::shared_ptr<const RecordedIterate> at(int iteration) const;
+    /// The one whose time is nearest to t. Of several with that time, the iterates of the solve for the first
+    /// time, it is the newest of those up to `iteration`, or the first. Null if they have no time.
+    std::shared_ptr<const RecordedIterate> at_time(double t, int iteration) const;
     /// The first of them whose mesh has tangled cells.
     std::optional<int> first_tangled() const;
     std::size_t bytes() const;

@@ -135,18 +135,22 @@ ColourChoice colour_choice(const Values& view) {
 std::optional<ColourRange> range_of_recording(const Recording& recording, const Snapshot* newest,
                                               const ColourChoice& choice) {
     std::optional<ColourRange> range;
-    const auto cover = [&](const std::shared_ptr<const RecordedIterate>& iterate) {
+    const auto take = [&](const std::shared_ptr<const RecordedIterate>& iterate) {
         const bool known = newest != nullptr && newest->version == iterate->version();
-        const auto colouring = make_colouring(known ? *newest : *iterate->restore(), choice);
-        if (!colouring) return;
-        if (!range) range = colouring->range;
-        range = ColourRange{std::min(range->low, colouring->range.low),
-                            std::max(range->high, colouring->range.high)};
+        cover(range, known ? *newest : *iterate->restore(), choice);
     };
     const auto first = recording.at(std::numeric_limits<int>::min()), last = last_sound(recording);
-    if (first) cover(first);
-    if (last && last != first) cover(last);
+    if (first) take(first);
+    if (last && last != first) take(last);
     return range;
+}
+
+void cover(std::optional<ColourRange>& range, const Snapshot& snapshot, const ColourChoice& choice) {
+    const auto colouring = make_colouring(snapshot, choice);
+    if (!colouring) return;
+    if (!range) range = colouring->range;
+    range =
+        ColourRange{std::min(range->low, colouring->range.low), std::max(range->high, colouring->range.high)};
 }
 
 std::shared_ptr<const RecordedIterate> last_sound(const Recording& recording) {

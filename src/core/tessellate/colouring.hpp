@@ -94,6 +94,9 @@ std::shared_ptr<const RecordedIterate> last_sound(const Recording& recording);
 std::optional<ColourRange> range_of_recording(const Recording& recording, const Snapshot* newest,
                                               const ColourChoice& choice);
 
+/// Extends a range so that it covers the automatic range of a snapshot, if that has such values.
+void cover(std::optional<ColourRange>& range, const Snapshot& snapshot, const ColourChoice& choice);
+
 /// The colouring of one snapshot alone.
 std::optional<Colouring> make_colouring(const Snapshot& snapshot, const ColourChoice& choice);
 

@@ -4,6 +4,7 @@
 #include "core/base/check.hpp"
 #include "core/base/error.hpp"
 #include "core/base/join.hpp"
+#include "core/base/short_number.hpp"
 #include "core/scenario/time_rows.hpp"
 #include "core/session/time_series.hpp"
 #include "core/tessellate/camera.hpp"
@@ -128,10 +129,28 @@ std::string_view usual_motion(const Scenario& scenario) {
     return has_time(scenario.time) ? "time" : "iterations";
 }
 
+static void check_order(const FilmPlan& plan) {
+    if (plan.from_time && plan.to_time && *plan.from_time > *plan.to_time)
+        throw InputError("the first time of the film, " + short_number(*plan.from_time, 6) +
+                         ", is later than the last one, " + short_number(*plan.to_time, 6));
+}
+
+static void check_times(const FilmPlan& plan) {
+    if (!plan.from_time && !plan.to_time) return;
+    if (!plan.motions.time)
+        throw InputError("--from-time and --to-time are times of the motion time, which is not asked for");
+    if (plan.first && plan.from_time)
+        throw InputError("--first and --from-time both say where the film begins; choose one of them");
+    if (plan.last && plan.to_time)
+        throw InputError("--last and --to-time both say where the film ends; choose one of them");
+    check_order(plan);
+}
+
 void check_film(const FilmPlan& plan, const Mesh& mesh, const Values& view) {
     if (plan.first && plan.last && *plan.first > *plan.last)
         throw InputError("the first iteration of the film, " + std::to_string(*plan.first) +
                          ", comes after the last one, " + std::to_string(*plan.last));
+    check_times(plan);
     const bool moves_camera = plan.motions.turn || plan.motions.camera;
     if (moves_camera && view.text("layout") == "projection")
         throw InputError("a map projection has no camera that could move; choose another view.layout");
@@ -164,8 +183,42 @@ FilmIterates film_iterates(const Recording& recording) {
             iterates.first_in_time = iterates.recorded[i - 1] == iterates.recorded[i] - 1
                                          ? iterates.recorded[i - 1]
                                          : iterates.recorded[i];
+    for (const int iteration : iterates.recorded)
+        if (iterates.first_in_time && iteration >= *iterates.first_in_time)
+            iterates.times.push_back(time_of(recording.at(iteration)->report()).value());
     return iterates;
 }
+
+namespace {
+
+/// The place of the time that is nearest; of two equally near ones the earlier.
+std::size_t nearest(const std::vector<double>& times, double t) {
+    const auto after = std::ranges::lower_bound(times, t);
+    if (after == times.begin()) return 0;
+    const bool before = after == times.end() || t - *std::prev(after) <= *after - t;
+    return static_cast<std::size_t>(after - times.begin()) - (before ? 1 : 0);
+}
+
+/// The iterations between the two times of the plan, of those in time.
+std::vector<int> between_times(const FilmPlan& plan, const std::vector<int>& iterations,
+                               const std::vector<double>& times) {
+    if (!plan.from_time && !plan.to_time) return iterations;
+    GASPARD_CHECK(iterations.size() == times.size());
+    check_order(plan);
+    const std::string range = "; the meshes are those of t = " + short_number(times.front(), 6) + " to " +
+                              short_number(times.back(), 6);
+    const double rounding = 1e-9 * std::max(std::abs(times.front()), std::abs(times.back()));
+    if (plan.from_time && *plan.from_time > times.back() + rounding)
+        throw InputError("the film begins at t = " + short_number(*plan.from_time, 6) + range);
+    if (plan.to_time && *plan.to_time < times.front() - rounding)
+        throw InputError("the film ends at t = " + short_number(*plan.to_time, 6) + range);
+    const std::size_t from = plan.from_time ? nearest(times, *plan.from_time) : 0,
+                      to = plan.to_time ? nearest(times, *plan.to_time) : times.size() - 1;
+    return {iterations.begin() + static_cast<std::ptrdiff_t>(from),
+            iterations.begin() + static_cast<std::ptrdiff_t>(to) + 1};
+}
+
+} // namespace
 
 std::vector<int> film_iterations(const FilmPlan& plan, const FilmIterates& iterates) {
     std::vector<int> recorded = iterates.recorded;
@@ -176,6 +229,7 @@ std::vector<int> film_iterations(const FilmPlan& plan, const FilmIterates& itera
                 "the motion time needs time steps: time.end after time.start, and a mesh that is solved at "
                 "the start");
         std::erase_if(recorded, [&](int iteration) { return iteration < *iterates.first_in_time; });
+        recorded = between_times(plan, recorded, iterates.times);
     }
     if (plan.first && *plan.first > recorded.back())
         throw InputError("the film begins with iteration " + std::to_string(*plan.first) +
@@ -212,8 +266,10 @@ Film::Film(FilmPlan plan, const Recording& recording, std::shared_ptr<const Snap
       view_(std::move(view)), length_(film_length(plan_, iterations_.size())) {
     GASPARD_CHECK(last_ != nullptr);
     if (plan_.motions.time) hold_camera();
-    if (plan_.motions.shows_iterates())
-        view_ = with_range(view_, range_of_recording(recording_, last_.get(), colour_choice(view_)));
+    if (plan_.motions.shows_iterates() && view_.text("range") != "fixed")
+        view_ = with_range(view_, plan_.motions.time
+                                      ? range_of_time()
+                                      : range_of_recording(recording_, last_.get(), colour_choice(view_)));
     last_ = iterate(iterations_.back());
 }
 
@@ -227,6 +283,20 @@ void Film::hold_camera() {
     const Size size = size_of(view_);
     const bool beside = layout == "side-by-side" || layout == "field-and-mesh";
     if (layout != "computational") view_.set("camera", format_camera(whole_plane(box, view_, beside), size));
+}
+
+/// Of all frames; tangled meshes count only where no other is shown.
+std::optional<ColourRange> Film::range_of_time() const {
+    const ColourChoice choice = colour_choice(view_);
+    std::optional<ColourRange> range;
+    for (const bool tangled : {false, true}) {
+        for (int k = 0; k < length_.frames && (!tangled || !range); ++k) {
+            if (k > 0 && iteration(k) == iteration(k - 1)) continue;
+            const auto shown = iterate(iteration(k));
+            if ((shown->report.tangled_cells.value_or(0) > 0) == tangled) cover(range, *shown, choice);
+        }
+    }
+    return range;
 }
 
 double Film::place(int frame) const {

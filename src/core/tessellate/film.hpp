@@ -43,6 +43,8 @@ struct FilmPlan {
     std::string from{}, to{}; ///< of motions.camera, as view.camera
     /// Only the iterates of these iterations and between; motions without iterates show the last one.
     std::optional<int> first{}, last{};
+    /// Of motions.time: from the mesh whose time is nearest to the one to that nearest to the other.
+    std::optional<double> from_time{}, to_time{};
 };
 /// Iterations, or time steps if the scenario has time: the motion of a film for which none is given.
 std::string_view usual_motion(const Scenario& scenario);
@@ -58,15 +60,16 @@ struct FilmLength {
 };
 /// Of a plan, where so many iterates were recorded. Throws InputError for more than most_film_frames.
 FilmLength film_length(const FilmPlan& plan, std::size_t iterates);
-/// What was recorded: iterations, ascending, and the one whose mesh is that of the first time; empty if there
-/// is no time step.
+/// What was recorded: iterations, ascending, the one whose mesh is that of the first time, and the times from
+/// that on; empty if there is no time step.
 struct FilmIterates {
     std::vector<int> recorded;
     std::optional<int> first_in_time{};
+    std::vector<double> times{};
 };
 FilmIterates film_iterates(const Recording& recording);
 /// Those of the recorded iterations that the plan has: at least one. Throws InputError if it begins after the
-/// last one, or shows time where there is none.
+/// last one, ends before the first time, or shows time where there is none.
 std::vector<int> film_iterations(const FilmPlan& plan, const FilmIterates& iterates);
 
 struct FilmFrame {
@@ -77,8 +80,9 @@ struct FilmFrame {
 
 class Film {
   public:
-    /// Of a recording and its last iterate. `view` of view_rows(); an automatic range of colours is
-    /// range_of_recording(). Throws InputError for more than most_film_frames.
+    /// Of a recording and its last iterate. `view` of view_rows(). An automatic range of colours is the same
+    /// in all frames: of iterates range_of_recording(), of time steps one that covers all meshes of the film
+    /// but tangled ones, since none of them is the result. Throws InputError for more than most_film_frames.
     Film(FilmPlan plan, const Recording& recording, std::shared_ptr<const Snapshot> last, Values view);
     int frames() const { return length_.frames; }
     double rate() const { return length_.rate; }
@@ -93,6 +97,7 @@ class Film {
   private:
     double place(int frame) const;
     void hold_camera();
+    std::optional<ColourRange> range_of_time() const;
     std::shared_ptr<const Snapshot> iterate(int iteration) const;
 
     FilmPlan plan_;

@@ -20,6 +20,7 @@
 #include "gui/document/path_drawing.hpp"
 #include "gui/document/playback.hpp"
 #include "gui/document/replay_range.hpp"
+#include "gui/document/values_in_time.hpp"
 #include "gui/panels/comparison_panel.hpp"
 #include "gui/panels/dialogs.hpp"
 #include "gui/panels/error_plots.hpp"
@@ -168,6 +169,7 @@ class Application {
     Toast toast();
     const StepReport* shown_report();
     std::optional<int> first_tangled();
+    void go_to_tangled();
     void run_or_pause();
     void step_forward();
     Plot section_of(const PlotChoice& choice);
@@ -244,6 +246,7 @@ class Application {
     std::optional<int> before_click_; ///< in a plot: the iteration that was shown; empty: the newest
     bool sidebar_before_ = true;      ///< before the size for projectors
     NarrowFeature narrow_feature_;
+    ValuesInTime values_in_time_;
     std::optional<Plot> plot_to_save_;
     std::string plot_name_;    ///< of the file to come
     std::string closed_cut_;   ///< view.cut before it was closed

@@ -151,7 +151,7 @@ std::vector<Action> Application::solve_actions() {
          .menu = "Solve",
          .keys = {"G"},
          .help = "Show the first iterate with tangled cells.",
-         .run = [this] { playback_.go_to(longest(), first_tangled().value_or(0)); },
+         .run = [this] { go_to_tangled(); },
          .enabled = [this] { return first_tangled().has_value(); },
          .reason = [] { return "First tangled iteration: no mesh of this solve is tangled."; }},
         {.name = "go-on",

@@ -1,5 +1,6 @@
 // The frame of the application; its behaviour is in application.cpp and application_actions.cpp.
 #include "core/scenario/time_rows.hpp"
+#include "core/session/time_series.hpp"
 #include "gui/app/application.hpp"
 #include "gui/app/edges.hpp"
 #include "gui/base/part_window.hpp"
@@ -117,7 +118,14 @@ std::optional<int> Application::first_tangled() {
     return run().recording ? run().recording->first_tangled() : std::nullopt;
 }
 
-/// Of the runs whose meshes are shown, the one with the most iterations.
+/// Runs with time go to the time of that iterate.
+void Application::go_to_tangled() {
+    const int first = first_tangled().value_or(0);
+    const bool same = iteration_beside(run(), longest(), first) == first;
+    playback_.go_to(same ? longest() : run(), first);
+}
+
+/// Of the runs whose meshes are shown, the one that ends last.
 const DocumentRun& Application::longest() { return longest_run(run(), runs_shown_beside()); }
 
 std::vector<const DocumentRun*> Application::runs_shown_beside() {
@@ -155,6 +163,8 @@ void Application::draw_sidebar() {
     begin_part("##sidebar", layout_.sidebar, ImGuiWindowFlags_None); // it may have to scroll
     Scenario scenario = run().scenario;
     const std::shared_ptr<const Snapshot> snapshot = run().snapshot; // while the panel shows its patches
+    const auto shown = playback_.snapshot(run());
+    const std::optional<double> now = shown ? time_of(shown->report) : std::nullopt;
     const PatchList* patches = snapshot && run().changes.settled() ? snapshot->patches.get() : nullptr;
     const PanelContext context{*catalogue_,
                                run().opened,
@@ -166,7 +176,9 @@ void Application::draw_sidebar() {
                                viewport().view.text("color"),
                                narrow_feature_.warning(*catalogue_, run()),
                                snapshot.get(),
-                               viewport().view.text("color_map")};
+                               viewport().view.text("color_map"),
+                               values_in_time_.at(run().scenario, now),
+                               now.value_or(0)};
     bool changed = false;
     for (const auto kind : all_sections) {
         if (!has_section(scenario, kind)) continue;
@@ -177,7 +189,8 @@ void Application::draw_sidebar() {
         if (open) changed |= panel_.draw_section(kind, context, scenario);
         ImGui::Spacing();
     }
-    changed |= draw_time_section(context, scenario);
+    const bool time_changed = draw_time_section(context, scenario);
+    changed |= time_changed;
     if (scenario.method.values.has("interpolation")) {
         const bool open = ImGui::CollapsingHeader("Why adapt?");
         remember_item(items_, "why");
@@ -203,7 +216,9 @@ void Application::draw_sidebar() {
     if (formula) document_.end_gesture();
     if (changed) { // once per frame; of those that wait, the solver takes the newest
         messages_.clear();
-        document_.change(run().id, scenario, formula);
+        // A time that is dragged may lead a formula out of its range; a dialog would interrupt.
+        const bool dragged = time_changed && ImGui::IsAnyItemActive();
+        document_.change(run().id, scenario, formula || dragged);
     }
     if (formula) document_.end_gesture();
     if (const auto wish = panel_.take_file_wish()) file_dialogs_.ask_for_value(*wish, run().scenario);
@@ -222,7 +237,7 @@ bool Application::draw_time_section(const PanelContext& context, Scenario& scena
     if (open) {
         std::vector<std::string> keys;
         for (const ParameterRow& row : scenario.time.rows()) keys.push_back(row.key);
-        changed = panel_.draw_rows(context, run().opened.time, scenario.time, keys);
+        changed = panel_.draw_rows(context, run().opened.time, scenario.time, keys, &scenario);
     }
     ImGui::Spacing();
     return changed;
@@ -364,8 +379,8 @@ void Application::draw_plots(const FrameContext& context) {
     for (std::size_t i = 0; i < studies.size(); ++i)
         if (plot_pane_.choices()[i].plot == section_plot) studies[i] = section_of(plot_pane_.choices()[i]);
     const auto before = plot_pane_.choices();
-    const auto wish = plot_pane_.frame(document_, layout_.first_plot, layout_.second_plot, context, studies,
-                                       playback_.live() ? nullptr : shown_report());
+    const auto wish = plot_pane_.frame(document_, layout_.first_plot, layout_.second_plot, context, longest(),
+                                       studies, playback_.live() ? nullptr : shown_report());
     offer_section_line(before);
     if (wish) fulfil(*wish);
     if (const auto iteration = plot_pane_.take_pointed()) {

@@ -3,9 +3,10 @@
 //
 // Edits are the changes of values of a live run, the opening of another scenario in its place, the changes of
 // a view, and the keeping, removing, renaming and hiding of runs. The values of one gesture, such as the drag
-// of a slider, are one edit. Not edits: starting, pausing, stepping, resetting, comparisons of methods
-// (method_comparison.hpp), and the pick of a view, which undo leaves as it is. An opening becomes an edit
-// when the solver has accepted it; other changes at once, but what the solver refuses leaves no edit.
+// of a slider, are one edit. Not edits: starting, pausing, stepping, resetting, going on from an iterate and
+// the run that this keeps, comparisons of methods (method_comparison.hpp), and the pick of a view, which undo
+// leaves as it is. An opening becomes an edit when the solver has accepted it; other changes at once, but
+// what the solver refuses leaves no edit.
 #pragma once
 
 #include "gui/document/document_run.hpp"
@@ -78,8 +79,10 @@ class Document {
     void reset(RunId run); ///< to the start, paused
     /// Runs from a state, such as that of a file, without an edit. If it does not fit, the mesh stays.
     void start_from(RunId run, std::shared_ptr<const State> state);
-    /// Goes back to a recorded iterate that has its state, at its time, and pauses there.
-    void go_on_from(RunId run, const RecordedIterate& iterate);
+    /// Keeps the run as it is, then goes back to a recorded iterate that has its state, at its time, and
+    /// pauses there. Not an edit: undo would remove what was solved after that iterate. The run that was
+    /// kept, if any.
+    std::optional<RunId> go_on_from(RunId run, const RecordedIterate& iterate);
 
     /// Adds a copy of a run as it is now, with a name of its own. Nothing before the first report.
     std::optional<RunId> keep(RunId run);
@@ -115,6 +118,7 @@ class Document {
     void attach_solver(DocumentRun& run) const;
     void share_memory();
     DocumentRun& add(const Scenario& scenario);
+    DocumentRun* add_copy(RunId run);
     DocumentRun& open_for_comparison(const Scenario& scenario, const std::string& method);
     DocumentRun& live(RunId run);
     std::string free_name(const std::string& wish) const;

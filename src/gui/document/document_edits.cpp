@@ -123,11 +123,12 @@ void Document::set_others_aside(const DocumentRun& run) {
     }
 }
 
-std::optional<RunId> Document::keep(RunId run) {
+/// Null before the first report.
+DocumentRun* Document::add_copy(RunId run) {
     collect();
     const DocumentRun* source = runs_.find(run);
     GASPARD_CHECK(source);
-    if (source->history.empty()) return std::nullopt;
+    if (source->history.empty()) return nullptr;
     DocumentRun kept;
     kept.id = RunId{++last_id_};
     kept.title = source->title;
@@ -143,14 +144,20 @@ std::optional<RunId> Document::keep(RunId run) {
     kept.solved = source->solved;
     kept.colour = free_colour();
     kept.name = free_name(describe_scenario(*catalogue_, kept.opened, kept.scenario));
-    const DocumentRun& added = runs_.push_back(std::move(kept));
+    DocumentRun& added = runs_.push_back(std::move(kept));
     share_memory();
-    const RunPresence present{added.id, true, runs_.size() - 1, added.name};
+    return &added;
+}
+
+std::optional<RunId> Document::keep(RunId run) {
+    const DocumentRun* added = add_copy(run);
+    if (!added) return std::nullopt;
+    const RunPresence present{added->id, true, runs_.size() - 1, added->name};
     RunPresence absent = present;
     absent.present = false;
     end_gesture();
     record({.key = "keep", .before = {absent}, .after = {present}});
-    return added.id;
+    return added->id;
 }
 
 void Document::remove(RunId run) {

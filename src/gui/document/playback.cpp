@@ -1,5 +1,7 @@
 #include "gui/document/playback.hpp"
 
+#include "core/session/time_series.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,6 +20,27 @@ std::shared_ptr<const RecordedIterate> first_iterate(const DocumentRun& run) {
     return run.recording ? run.recording->at(std::numeric_limits<int>::min()) : nullptr;
 }
 
+/// Whether a run ends after another.
+bool longer(const DocumentRun& run, const DocumentRun& other) {
+    const auto end = [](const DocumentRun& one) {
+        return one.history.empty() ? std::nullopt : time_of(one.history.back());
+    };
+    const auto mine = end(run), its = end(other);
+    if (mine && its && *mine != *its) return *mine > *its;
+    return last_iteration(run) > last_iteration(other);
+}
+
+/// Nothing if the run has no time. While it is being solved for the first time, others are shown at the same
+/// iteration of theirs; its last mesh is compared with their last one.
+std::optional<Moment> moment_of(const DocumentRun& run, int iteration) {
+    const auto row = std::ranges::lower_bound(run.history, iteration, {}, &StepReport::iteration);
+    const auto t = row == run.history.end() ? std::nullopt : time_of(*row);
+    if (!t) return std::nullopt;
+    const auto next = std::next(row);
+    const bool before_time = next != run.history.end() && !is_time_step(*row) && !is_time_step(*next);
+    return Moment{*t, before_time ? iteration : std::numeric_limits<int>::max()};
+}
+
 } // namespace
 
 int last_iteration(const DocumentRun& run) { return run.history.empty() ? 0 : run.history.back().iteration; }
@@ -25,8 +48,15 @@ int last_iteration(const DocumentRun& run) { return run.history.empty() ? 0 : ru
 const DocumentRun& longest_run(const DocumentRun& run, const std::vector<const DocumentRun*>& others) {
     const DocumentRun* longest = &run;
     for (const DocumentRun* other : others)
-        if (other->recording && last_iteration(*other) > last_iteration(*longest)) longest = other;
+        if (other->recording && longer(*other, *longest)) longest = other;
     return *longest;
+}
+
+int iteration_beside(const DocumentRun& run, const DocumentRun& other, int iteration) {
+    if (run.id == other.id || !other.recording) return iteration;
+    const auto moment = moment_of(run, iteration);
+    const auto there = moment ? other.recording->at_time(moment->t, moment->iteration) : nullptr;
+    return there ? there->iteration() : iteration;
 }
 
 void Playback::update(const DocumentRun& run, const DocumentRun& longest, double seconds) {
@@ -36,20 +66,26 @@ void Playback::update(const DocumentRun& run, const DocumentRun& longest, double
         restored_.clear();
     }
     if (live() && run.solving()) compares_ = false;
+    if (live()) {
+        of_ = run.id;
+        const bool under_way = run.live() && !run.ended() && !compares_;
+        moment_ = under_way ? moment_of(run, last_iteration(run)) : std::nullopt;
+    }
     if (blends_) blended_ += std::min(seconds, longest_frame);
     if (playing_) advance(longest, run.solving(), std::min(seconds, longest_frame));
 }
 
 void Playback::advance(const DocumentRun& run, bool solving, double seconds) {
     const int last = last_iteration(run);
+    if (at_ && of_ != run.id) stand_at(run, iteration(run));
     if (at_ && *at_ < last) {
         if (rate_ > 0)
-            at_ = std::min(*at_ + seconds * rate_, static_cast<double>(last));
+            stand_at(run, std::min(*at_ + seconds * rate_, static_cast<double>(last)));
         else
             go_forward(run), playing_ = true;
         rested_ = 0;
         if (at_ && *at_ < last) return;
-        at_ = last; // shown at least once
+        stand_at(run, last); // shown at least once
     } else {
         rested_ += seconds;
     }
@@ -61,13 +97,20 @@ void Playback::advance(const DocumentRun& run, bool solving, double seconds) {
     }
 }
 
+/// Null: the newest.
+std::shared_ptr<const RecordedIterate> Playback::iterate(const DocumentRun& run) const {
+    if (!run.recording) return nullptr;
+    auto there = moment_ && run.id != of_ ? run.recording->at_time(moment_->t, moment_->iteration) : nullptr;
+    return there || !at_ ? there : run.recording->at(static_cast<int>(*at_));
+}
+
 int Playback::iteration(const DocumentRun& run) const {
-    const auto iterate = at_ && run.recording ? run.recording->at(static_cast<int>(*at_)) : nullptr;
-    return iterate ? iterate->iteration() : last_iteration(run);
+    const auto shown = iterate(run);
+    return shown ? shown->iteration() : last_iteration(run);
 }
 
 std::shared_ptr<const Snapshot> Playback::snapshot(const DocumentRun& run) {
-    const auto iterate = at_ && run.recording ? run.recording->at(static_cast<int>(*at_)) : nullptr;
+    const auto iterate = this->iterate(run);
     if (!iterate || (run.snapshot && run.snapshot->version == iterate->version())) return run.snapshot;
     Restored& known = restored_[run.id];
     if (known.of != iterate) known = {iterate, iterate->restore()};
@@ -84,7 +127,12 @@ void Playback::go_to(const DocumentRun& run, double iteration) {
     const std::vector<int> kept = run.recording->iterations();
     const auto after = std::upper_bound(kept.begin(), kept.end(), wanted);
     const bool nearer = after != kept.end() && *after - wanted < wanted - before->iteration();
-    at_ = nearer ? *after : std::max(before->iteration(), first->iteration());
+    stand_at(run, nearer ? *after : std::max(before->iteration(), first->iteration()));
+}
+
+void Playback::stand_at(const DocumentRun& run, double iteration) {
+    at_ = iteration, of_ = run.id;
+    moment_ = moment_of(run, static_cast<int>(iteration));
 }
 
 void Playback::go_back(const DocumentRun& run) {
@@ -107,7 +155,7 @@ void Playback::go_to_start(const DocumentRun& run) {
 
 void Playback::show_newest() {
     playing_ = false;
-    at_.reset();
+    at_.reset(), moment_.reset();
 }
 
 void Playback::go_to_end() {

@@ -1,7 +1,9 @@
 // Which iterate of the runs is shown: the newest, or one that was recorded; and the replay of a recording.
 //
-// All runs that are shown stand at the same iteration, those that ended earlier at their last one. Iterations
-// are those of one of them, the longest (longest_run()).
+// All runs that are shown stand at the same iteration, those that ended earlier at their last one. Runs with
+// time stand at the same time instead: each at its iterate of the time that is nearest to that of the run
+// that was moved to, or, of the newest iterates, to that of the active run until it has ended. Iterations are
+// those of one of them, the longest (longest_run()).
 #pragma once
 
 #include "gui/document/document_run.hpp"
@@ -14,6 +16,12 @@
 #include <vector>
 
 namespace gaspard {
+
+/// Where runs with time stand: at an iterate of this time, of several the newest up to this iteration.
+struct Moment {
+    double t = 0;
+    int iteration = 0;
+};
 
 class Playback {
   public:
@@ -62,11 +70,15 @@ class Playback {
 
   private:
     void advance(const DocumentRun& run, bool solving, double seconds);
+    void stand_at(const DocumentRun& run, double iteration);
     void show_newest();
+    std::shared_ptr<const RecordedIterate> iterate(const DocumentRun& run) const;
 
     RunId run_{};
-    std::uint64_t histories_ = 0; ///< of the run, as last seen
-    std::optional<double> at_;    ///< the iteration; while playing with a part of the way to the next one
+    std::uint64_t histories_ = 0;  ///< of the run, as last seen
+    std::optional<double> at_;     ///< the iteration; while playing with a part of the way to the next one
+    RunId of_{};                   ///< whose iterations, and whose time, these are
+    std::optional<Moment> moment_; ///< at which other runs stand; empty: they have no time
     bool playing_ = false, compares_ = false, loops_ = false, blends_ = false;
     double rate_ = 10;
     double rested_ = 0;  ///< seconds at the end, before a replay begins again
@@ -80,8 +92,12 @@ class Playback {
 
 /// The number of the newest iterate; 0 if there is none.
 int last_iteration(const DocumentRun& run);
-/// The run with the most iterations of those that were recorded, `run` itself if none has more. `others`:
-/// runs that are shown beside it.
+/// The iteration at which `other` stands while `run` stands at this one: that of the nearest time, if both
+/// have time; else the same, also where `other` has ended before.
+int iteration_beside(const DocumentRun& run, const DocumentRun& other, int iteration);
+/// The run that ends last, in time or, where one has no time, in iterations; of equal ones the one with more
+/// iterations, or `run` itself. `others`: runs that are shown beside it, of which those without a recording
+/// do not count.
 const DocumentRun& longest_run(const DocumentRun& run, const std::vector<const DocumentRun*>& others);
 
 /// The iterations of a history whose meshes have tangled cells, as ranges: "4 to 6" is {4, 6}. What was not

@@ -78,11 +78,19 @@ std::string values_by_symbol(const Values& values) {
     return text;
 }
 
+std::string values_at_time(const Values& values, double t) {
+    const auto& rows = values.rows();
+    const bool named = std::ranges::any_of(
+        rows, [](const ParameterRow& row) { return row.role == ParameterRole::time && row.symbol == "t"; });
+    const std::string others = values_by_symbol(values);
+    if (named) return others;
+    return "t = " + short_number(t, 6) + (others.empty() ? "" : "   " + others);
+}
+
 /// The lines of values_by_symbol(), broken between two of them.
-static std::vector<std::string> value_lines(const Values& values, float width) {
+static std::vector<std::string> value_lines(const std::string& values, float width) {
     std::vector<std::string> lines;
-    const std::string all = values_by_symbol(values);
-    for (const std::string_view one : split(all, "   ")) {
+    for (const std::string_view one : split(values, "   ")) {
         const std::string longer = lines.empty() ? "" : lines.back() + "   " + std::string(one);
         if (!lines.empty() && ImGui::CalcTextSize(longer.c_str()).x <= width)
             lines.back() = longer;
@@ -92,8 +100,8 @@ static std::vector<std::string> value_lines(const Values& values, float width) {
     return lines;
 }
 
-void draw_equation_box(const std::string& equation, const Values& values, float width, const Theme& theme,
-                       bool or_text) {
+void draw_equation_box(const std::string& equation, const std::string& values, float width,
+                       const Theme& theme, bool or_text) {
     if (equation.empty()) return;
     const float em = ImGui::GetFontSize(), pad = 0.6F * em, inside = width - 2 * pad;
     const Typeset set = typeset(equation, em, inside);

@@ -12,9 +12,12 @@ namespace gaspard {
 /// if there are none.
 std::string values_by_symbol(const Values& values);
 
-/// In the current ImGui window, `width` wide. An equation that is a sentence, or too wide, is written as
-/// text; with `or_text` false, nothing is drawn then.
-void draw_equation_box(const std::string& equation, const Values& values, float width, const Theme& theme,
-                       bool or_text = true);
+/// The same of a monitor that moves, with its time first: "t = 0.34   A = 10   ...".
+std::string values_at_time(const Values& values, double t);
+
+/// In the current ImGui window, `width` wide, with such a text of the values below the equation. An equation
+/// that is a sentence, or too wide, is written as text; with `or_text` false, nothing is drawn then.
+void draw_equation_box(const std::string& equation, const std::string& values, float width,
+                       const Theme& theme, bool or_text = true);
 
 } // namespace gaspard

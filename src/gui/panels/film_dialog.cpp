@@ -63,6 +63,8 @@ void FilmDialog::show(FilmSubject subject, const Values& view, std::string stem)
     height_ = static_cast<double>(view.integer("height"));
     first_ = subject_.iterates.recorded.front(), last_ = subject_.iterates.recorded.back(),
     still_ = subject_.shown;
+    if (!subject_.iterates.times.empty())
+        from_time_ = subject_.iterates.times.front(), to_time_ = subject_.iterates.times.back();
     seconds_.reset();
     to_ = subject_.camera;
     if (from_.empty() || !subject_.earlier.empty()) from_ = subject_.earlier;
@@ -107,13 +109,20 @@ void FilmDialog::set_file(const std::string& file) {
 
 /// Leaves out what is as usual, so that it is the plan of a command without options.
 FilmPlan FilmDialog::plan() const {
-    FilmPlan plan{.motions = {}, .rate = rate_};
+    FilmPlan plan{.motions = {}, .rate = format().timed ? rate_ : 0};
     for (std::size_t i = 0; i < motions_.size(); ++i) plan.motions.*film_motions()[i].member = motions_[i];
-    if (plan.motions.shows_iterates() && first_ != subject_.iterates.recorded.front()) plan.first = first_;
-    const int last = plan.motions.shows_iterates() ? last_ : still_;
-    if (last != subject_.iterates.recorded.back()) plan.last = last;
+    const std::vector<double>& times = subject_.iterates.times;
+    if (plan.motions.time && !times.empty()) {
+        if (from_time_ != times.front()) plan.from_time = from_time_;
+        if (to_time_ != times.back()) plan.to_time = to_time_;
+    } else {
+        const int last = plan.motions.shows_iterates() ? last_ : still_;
+        if (plan.motions.shows_iterates() && first_ != subject_.iterates.recorded.front())
+            plan.first = first_;
+        if (last != subject_.iterates.recorded.back()) plan.last = last;
+    }
     if (plan.motions.camera) plan.from = from_, plan.to = to_;
-    if (seconds_) {
+    if (seconds_ && format().timed) {
         const double frames = std::round(*seconds_ * rate());
         plan.frames = static_cast<int>(std::clamp(frames, 1.0, 2.0 * most_film_frames));
     }
@@ -122,10 +131,20 @@ FilmPlan FilmDialog::plan() const {
 
 /// Frames a second: what the user has typed, else what is usual for the motions.
 double FilmDialog::rate() const {
-    if (rate_ > 0) return rate_;
+    if (rate_ > 0 && format().timed) return rate_;
     FilmPlan any{.motions = {}, .frames = 1};
     for (std::size_t i = 0; i < motions_.size(); ++i) any.motions.*film_motions()[i].member = motions_[i];
     return film_length(any, 1).rate;
+}
+
+/// Throws InputError for times that were not recorded.
+void FilmDialog::check_times(const FilmPlan& film) const {
+    if (!film.from_time && !film.to_time) return;
+    const std::vector<double>& times = subject_.iterates.times;
+    for (const double t : {from_time_, to_time_})
+        if (!(t >= times.front() && t <= times.back()))
+            throw InputError("the times of the film must be from " + short_number(times.front(), 6) + " to " +
+                             short_number(times.back(), 6) + ", not " + short_number(t, 6));
 }
 
 std::string FilmDialog::problem() const {
@@ -143,6 +162,7 @@ std::string FilmDialog::problem() const {
         return "The motion camera needs two views: Ctrl+C copies that of the window as text.";
     const std::string wrong = complaint_of([&] {
         parse_film_motions(join(names, ","));
+        check_times(film);
         check_film(film, *subject_.mesh, *view_);
         check_film_formats(film, {&format()});
         film_length(film, film_iterations(film, subject_.iterates).size());
@@ -157,7 +177,13 @@ std::string FilmDialog::estimate() const {
     std::string text;
     complaint_of([&] { // that is said elsewhere
         const FilmPlan film = plan();
-        const FilmLength length = film_length(film, film_iterations(film, subject_.iterates).size());
+        const std::size_t iterates = film_iterations(film, subject_.iterates).size();
+        const FilmLength length = film_length(film, iterates);
+        if (!format().timed) {
+            const auto meshes = std::min<std::size_t>(iterates, static_cast<std::size_t>(length.frames));
+            text = std::to_string(meshes) + (meshes == 1 ? " mesh" : " meshes");
+            return;
+        }
         text = std::to_string(length.frames) + (length.frames == 1 ? " frame" : " frames") + ", " +
                short_number(length.frames / length.rate, 3) + " s";
         if (length.hold > 0) text += ", and " + short_number(length.hold, 3) + " s more at the end";
@@ -200,7 +226,24 @@ void FilmDialog::draw_cameras(ItemRectangles& items) {
     }
 }
 
+/// Those of the motion time.
+void FilmDialog::draw_times(ItemRectangles& items) {
+    label_before("Times");
+    number_field("##from-time", from_time_, "%.6g");
+    remember_item(items, "film.from-time");
+    ImGui::SameLine();
+    ImGui::TextUnformatted("to");
+    ImGui::SameLine();
+    number_field("##to-time", to_time_, "%.6g");
+    remember_item(items, "film.to-time");
+    ImGui::SameLine();
+    const std::vector<double>& times = subject_.iterates.times;
+    ImGui::TextDisabled("recorded: t = %s to %s", short_number(times.front(), 6).c_str(),
+                        short_number(times.back(), 6).c_str());
+}
+
 void FilmDialog::draw_iterates(ItemRectangles& items) {
+    if (plan().motions.time && !subject_.iterates.times.empty()) return draw_times(items);
     const bool several = plan().motions.shows_iterates();
     label_before(several ? "Iterations" : "Iteration");
     if (several) {
@@ -256,10 +299,19 @@ void FilmDialog::draw_size(ItemRectangles& items) {
 }
 
 void FilmDialog::draw_length(ItemRectangles& items) {
+    const bool timed = format().timed;
+    const auto explain = [&] { // why the fields are grey
+        if (!timed && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+            ImGui::SetTooltip(
+                "%s has each mesh once, with its time or iteration: it has no rate and no length",
+                capitals(format().name).c_str());
+    };
+    ImGui::BeginDisabled(!timed);
     label_before("Rate");
     double shown = rate();
     if (number_field("##rate", shown, "%g")) rate_ = shown;
     remember_item(items, "film.rate");
+    explain();
     ImGui::SameLine();
     ImGui::TextUnformatted("frames a second");
     label_before("Length");
@@ -269,15 +321,17 @@ void FilmDialog::draw_length(ItemRectangles& items) {
         const FilmLength length = film_length(film, film_iterations(film, subject_.iterates).size());
         seconds = length.frames / length.rate;
     });
-    if (seconds_) seconds = *seconds_;
+    if (seconds_ && timed) seconds = *seconds_;
     if (number_field("##seconds", seconds, "%.4g")) seconds_ = seconds;
     remember_item(items, "film.seconds");
+    explain();
     ImGui::SameLine();
     ImGui::TextUnformatted("s");
     ImGui::SameLine();
     ImGui::BeginDisabled(!seconds_ && rate_ == 0);
     if (ImGui::Button("Default")) seconds_.reset(), rate_ = 0;
     remember_item(items, "film.default");
+    ImGui::EndDisabled();
     ImGui::EndDisabled();
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("One frame for each iterate, 10 a second; six seconds of another motion");

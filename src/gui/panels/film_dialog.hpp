@@ -36,9 +36,10 @@ class FilmDialog {
     void close() { open_ = false; }
     bool open() const { return open_; }
     /// Keys "film.motion=NAME", "film.from", "film.from-present", "film.to", "film.to-present", "film.first",
-    /// "film.last", "film.format", "film.format=NAME", "film.width", "film.height", "film.rate",
-    /// "film.seconds", "film.default", "film.estimate", "film.axes" and the other parts, "film.file",
-    /// "film.browse", "film.problem", "film.ok", "film.cancel".
+    /// "film.last" or, of the motion time, "film.from-time", "film.to-time", "film.format",
+    /// "film.format=NAME", "film.width", "film.height", "film.rate", "film.seconds", "film.default",
+    /// "film.estimate", "film.axes" and the other parts, "film.file", "film.browse", "film.problem",
+    /// "film.ok", "film.cancel".
     std::optional<Choice> draw(ItemRectangles& items);
     /// True once after the button that asks for another file was pressed.
     bool take_browse_wish();
@@ -57,12 +58,14 @@ class FilmDialog {
     void draw_motions(ItemRectangles& items);
     void draw_cameras(ItemRectangles& items);
     void draw_iterates(ItemRectangles& items);
+    void draw_times(ItemRectangles& items);
     void draw_format(ItemRectangles& items);
     void draw_size(ItemRectangles& items);
     void draw_length(ItemRectangles& items);
     void draw_file(ItemRectangles& items);
     std::optional<Choice> draw_end(ItemRectangles& items);
     FilmPlan plan() const;
+    void check_times(const FilmPlan& film) const;
     double rate() const;
     const FilmFormat& format() const;
     bool present(const std::string& file) const;
@@ -76,6 +79,7 @@ class FilmDialog {
     std::size_t format_ = 1;              ///< its index
     std::string from_, to_;
     int first_ = 0, last_ = 0, still_ = 0; ///< the last is of motions that show one iterate
+    double from_time_ = 0, to_time_ = 0;   ///< of the motion time
     double width_ = 0, height_ = 0;
     double rate_ = 0;                 ///< 0: the usual one
     std::optional<double> seconds_{}; ///< empty: as long as usual

@@ -110,7 +110,8 @@ bool FormulaField::waiting() const {
 }
 
 /// The field itself. True if Enter was pressed in it.
-bool FormulaField::edit(const std::string& key, std::string& text, bool wrong, const Context& context) {
+bool FormulaField::edit(const std::string& key, std::string& text, bool wrong, float width,
+                        const Context& context) {
     Cursor& cursor = cursors_[key];
     if (insert_into_ == key) {
         const auto at =
@@ -121,7 +122,8 @@ bool FormulaField::edit(const std::string& key, std::string& text, bool wrong, c
         focus_.want(key);
     }
     ImGui::PushFont(formula_font());
-    const auto lines = std::clamp<std::ptrdiff_t>(std::count(text.begin(), text.end(), '\n') + 1, 2, 8);
+    const auto lines =
+        std::clamp<std::ptrdiff_t>(std::count(text.begin(), text.end(), '\n') + 1, context.least_lines, 8);
     const float height =
         static_cast<float>(lines) * ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().FramePadding.y;
     if (wrong) {
@@ -138,7 +140,7 @@ bool FormulaField::edit(const std::string& key, std::string& text, bool wrong, c
         at.at = data->CursorPos;
         return 0;
     };
-    const bool entered = ImGui::InputTextMultiline("##formula", &text, {line_width(), height},
+    const bool entered = ImGui::InputTextMultiline("##formula", &text, {width, height},
                                                    ImGuiInputTextFlags_EnterReturnsTrue |
                                                        ImGuiInputTextFlags_CtrlEnterForNewLine |
                                                        ImGuiInputTextFlags_CallbackAlways,
@@ -155,14 +157,15 @@ std::optional<std::string> FormulaField::draw(const std::string& key, const std:
     ImGui::PushFont(formula_font());
     const float letter = ImGui::CalcTextSize("0").x;
     ImGui::PopFont();
-    const float inside = line_width() - 2 * ImGui::GetStyle().FramePadding.x;
+    const float width = context.width > 0 ? context.width : line_width();
+    const float inside = width - 2 * ImGui::GetStyle().FramePadding.x;
     const auto columns = static_cast<std::size_t>(std::max(10.0F, inside / letter));
     const auto found = drafts_.find(key);
     const double now = ImGui::GetTime();
     std::string text = found == drafts_.end() ? broken_at_blanks(value, columns) : found->second.text;
     const std::string before = text;
     const bool wrong = found != drafts_.end() && found->second.complained;
-    const bool entered = edit(key, text, wrong, context);
+    const bool entered = edit(key, text, wrong, width, context);
     const bool active = ImGui::IsItemActive();
     if (text != before) {
         Draft& draft = found == drafts_.end() ? drafts_[key] : found->second;

@@ -53,10 +53,12 @@ class FormulaField {
         const Theme& theme;
         /// Filled with `key`, `key`.help, `key`.complaint and, while the list is open, `key`+WORD.
         ItemRectangles& items;
-        const std::vector<FormulaWord>& words;
+        const std::vector<FormulaWord>& words; ///< of the list of draw_help()
         std::function<std::optional<FormulaComplaint>(const std::string&)> check;
+        float width = 0;     ///< 0: as much as there is
+        int least_lines = 2; ///< the field is as high
     };
-    /// Draws the field in the present width, with `value` in it unless another formula is being typed.
+    /// Draws the field with `value` in it unless another formula is being typed.
     /// Returns the formula that is to be applied.
     std::optional<std::string> draw(const std::string& key, const std::string& value, const Context& context);
     /// The button of the list; draw it before the field, in the line of its label.
@@ -89,7 +91,7 @@ class FormulaField {
         int at = -1;                 ///< in bytes; negative: at the end
         std::optional<int> wanted{}; ///< beyond the end: at the end
     };
-    bool edit(const std::string& key, std::string& text, bool wrong, const Context& context);
+    bool edit(const std::string& key, std::string& text, bool wrong, float width, const Context& context);
     void draw_complaint(const std::string& key, const Draft& draft, const Context& context) const;
     void forget_if_done(const std::string& key, const std::string& value, bool active);
 

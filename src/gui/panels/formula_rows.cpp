@@ -1,8 +1,13 @@
 #include "gui/panels/formula_rows.hpp"
 
 #include "core/base/error.hpp"
+#include "core/function/expression.hpp"
 #include "core/function/formula.hpp"
+#include "core/scenario/clock.hpp"
+#include "core/scenario/time_rows.hpp"
 #include "gui/panels/sections.hpp"
+
+#include <utility>
 
 namespace gaspard {
 
@@ -31,6 +36,27 @@ std::optional<FormulaComplaint> formula_complaint(const Catalogue& catalogue, co
         return FormulaComplaint{error.what(), error.character()};
     } catch (const InputError& error) {
         return FormulaComplaint{without_key(error.what(), section + "." + row), {}};
+    }
+}
+
+bool is_motion(const Values& values, const ParameterRow& row) {
+    return values.section() == "time" && (row.role == ParameterRole::motion || row.key == "path");
+}
+
+std::optional<FormulaComplaint> motion_complaint(const Scenario& scenario, const std::string& row,
+                                                 const std::string& text) {
+    try {
+        if (row != "path" && !text.empty()) Expression(text, Space{}); // says where it is wrong
+        Scenario candidate = scenario;
+        Values& time = candidate.time;
+        time.set(row, text);
+        if (!has_time(time)) time.set("end", time.real("start") + time.real("step")); // so far it can be said
+        Clock(std::move(candidate), 100);
+        return std::nullopt;
+    } catch (const ExpressionError& error) {
+        return FormulaComplaint{error.what(), error.character()};
+    } catch (const InputError& error) {
+        return FormulaComplaint{without_key(error.what(), "time." + row), {}};
     }
 }
 

@@ -19,6 +19,13 @@ std::optional<FormulaComplaint> formula_complaint(const Catalogue& catalogue, co
                                                   const std::string& section, const std::string& row,
                                                   const std::string& text);
 
+/// Whether the value of a row says how the monitor moves: a formula in t, or a path.
+bool is_motion(const Values& values, const ParameterRow& row);
+/// What is wrong with `text` as the motion of a row of the section "time". Takes some milliseconds: values
+/// are checked at a hundred times, those in between by the solver.
+std::optional<FormulaComplaint> motion_complaint(const Scenario& scenario, const std::string& row,
+                                                 const std::string& text);
+
 /// The functions and variables that formulas of a scenario may use.
 std::vector<FormulaWord> formula_words(const Catalogue& catalogue, const Scenario& scenario);
 

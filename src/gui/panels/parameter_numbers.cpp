@@ -59,6 +59,25 @@ static double stepped(const ParameterRow& row, SliderRange ends, double value, i
     return next;
 }
 
+void ParameterPanel::begin_frame(bool takes_keys) {
+    monitors_.begin_frame();
+    takes_keys_ = takes_keys;
+    if (ImGui::GetIO().MouseWheel != 0 && !pointed_) scrolled_ = ImGui::GetTime();
+}
+
+/// Of the field that was clicked last: the wheel steps it while the pointer is on it, but not if it came
+/// there by scrolling, since the same turn of the wheel goes on.
+void ParameterPanel::follow_pointer(bool clicked, bool hovered) {
+    constexpr double burst = 0.5; // seconds between two steps of one turn of the wheel
+    const ImVec2 moved = ImGui::GetIO().MouseDelta;
+    if (clicked)
+        pointed_ = true;
+    else if (!hovered)
+        pointed_ = false;
+    else if ((moved.x != 0 || moved.y != 0) && ImGui::GetTime() - scrolled_ > burst)
+        pointed_ = true;
+}
+
 bool ParameterPanel::draw_number(const PanelContext& context, const ParameterRow& row, const std::string& key,
                                  double& value, float width) {
     if (typing_ == key || focus_.expects(key)) return draw_typed(context, row, key, value, width);
@@ -68,11 +87,13 @@ bool ParameterPanel::draw_number(const PanelContext& context, const ParameterRow
                      .symbol = row.symbol,
                      .value = number_text(row, value) + unit_text(row),
                      .focused = focused_ == key,
-                     .keys = takes_keys_};
+                     .keys = takes_keys_,
+                     .wheel = pointed_};
     if (bounded) field.position = position_of(row, ends, value);
     const ValueFieldAnswer answer = draw_value_field("##field", field, width, context.theme);
     remember_item(context.items, key);
     if (answer.clicked) focused_ = key;
+    if (focused_ == key) follow_pointer(answer.clicked, answer.hovered);
     if (answer.type) {
         focus_.want(key);
         return false;

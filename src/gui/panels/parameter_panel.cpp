@@ -239,7 +239,11 @@ bool ParameterPanel::draw_section(SectionKind kind, const PanelContext& context,
     const Section& section = section_of(scenario, kind);
     const std::string equation = equation_of(context.catalogue, kind, section);
     const bool typed = find_role(section.values.rows(), ParameterRole::formula) != nullptr;
-    draw_equation_box(equation, section.values, c.end - c.field, context.theme, !typed);
+    const bool moves = kind == SectionKind::monitor && context.monitor_now != nullptr;
+    draw_equation_box(equation,
+                      moves ? values_at_time(*context.monitor_now, context.now)
+                            : values_by_symbol(section.values),
+                      c.end - c.field, context.theme, !typed);
     if (!equation.empty()) remember_item(context.items, std::string(section_key(kind)) + ".equation");
     changed |= draw_section_rows(kind, context, scenario);
     if (kind == SectionKind::monitor && !context.warning.empty()) {
@@ -343,14 +347,14 @@ bool ParameterPanel::draw_stage(const PanelContext& context, const MonitorStage&
 }
 
 bool ParameterPanel::draw_rows(const PanelContext& context, const Values& opened, Values& values,
-                               const std::vector<std::string>& keys) {
+                               const std::vector<std::string>& keys, const Scenario* scenario) {
     bool changed = false;
     std::vector<ParameterRow> rows;
     std::copy_if(
         values.rows().begin(), values.rows().end(), std::back_inserter(rows),
         [&](const ParameterRow& row) { return std::find(keys.begin(), keys.end(), row.key) != keys.end(); });
     for (const ParameterRow& row : rows_in_sight(rows, &opened, values))
-        changed |= draw_row(context, row, &opened, values, nullptr);
+        changed |= draw_row(context, row, &opened, values, scenario);
     draw_more(context, values.section());
     return changed;
 }
@@ -400,13 +404,17 @@ bool ParameterPanel::draw_row(const PanelContext& context, const ParameterRow& r
     const Value before = values.at(row.key);
     ImGui::PushID(key.c_str());
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const bool formula = scenario != nullptr && is_formula(row);
+    const bool formula = scenario != nullptr && is_formula(row),
+               motion = scenario != nullptr && is_motion(values, row);
     if (!is_number(row)) draw_label(row.label, row.symbol, c.control - c.field - 0.3F * ImGui::GetFontSize());
     if (formula) {
         draw_formula(context, row, key, values, *scenario);
     } else {
         if (!is_number(row)) ImGui::SameLine(c.control);
-        draw_control(context, row, key, opened, values, scenario);
+        if (motion)
+            draw_motion(context, row, key, values, *scenario);
+        else
+            draw_control(context, row, key, opened, values, scenario);
     }
     if (row_hovered(corner, c)) show_tooltip(row.label, row.help, details_of(row, key), corner.y);
     const Value& origin =
@@ -420,7 +428,7 @@ bool ParameterPanel::draw_row(const PanelContext& context, const ParameterRow& r
         if (ImGui::IsItemHovered())
             ImGui::SetTooltip("%s", draft ? "Back to the formula in use"
                                           : ("Reset to " + value_text(row, origin)).c_str());
-        if (formula) ImGui::SetCursorPos(next);
+        if (formula || motion) ImGui::SetCursorPos(next);
     }
     if (row.role == ParameterRole::file && values.section() == "monitor" && values.text(row.key).empty())
         draw_quietly("Drop a file onto the window, or choose one.");
@@ -516,6 +524,21 @@ void ParameterPanel::draw_formula(const PanelContext& context, const ParameterRo
     const FormulaField::Context field{context.theme, context.items, words, complaint_of};
     ImGui::SameLine(0, 0.6F * ImGui::GetFontSize());
     formulas_.draw_help(key, field);
+    const auto applied = formulas_.draw(key, values.text(row.key), field);
+    if (!applied) return;
+    values.set(row.key, *applied);
+    formula_applied_ = true;
+}
+
+/// Beside the label; what is wrong with it is below.
+void ParameterPanel::draw_motion(const PanelContext& context, const ParameterRow& row, const std::string& key,
+                                 Values& values, const Scenario& scenario) {
+    const auto complaint_of = [&](const std::string& text) {
+        return motion_complaint(scenario, row.key, text);
+    };
+    const std::vector<FormulaWord> no_list;
+    const FormulaField::Context field{context.theme, context.items,    no_list,
+                                      complaint_of,  columns().wide(), 1};
     const auto applied = formulas_.draw(key, values.text(row.key), field);
     if (!applied) return;
     values.set(row.key, *applied);

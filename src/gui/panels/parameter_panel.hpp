@@ -45,15 +45,19 @@ struct PanelContext {
     std::string warning{};                 ///< about the monitor on this mesh; may be empty
     const Snapshot* snapshot = nullptr;    ///< that shows where the domain is; may be null
     std::string colours = "automatic";     ///< view.color_map
+    /// Of a monitor that moves, at the time of the mesh that is shown; null: it has no time.
+    const Values* monitor_now = nullptr;
+    double now = 0; ///< that time
 };
 
 class ParameterPanel {
   public:
     /// One section: its type and its rows. True when `scenario` changed.
     bool draw_section(SectionKind kind, const PanelContext& context, Scenario& scenario);
-    /// The rows of a section without types, such as view; `keys` names the rows to show.
+    /// The rows of a section without types, such as view; `keys` names the rows to show. `scenario`: the one
+    /// that the values are of, by which formulas are checked; may be null if there are none.
     bool draw_rows(const PanelContext& context, const Values& opened, Values& values,
-                   const std::vector<std::string>& keys);
+                   const std::vector<std::string>& keys, const Scenario* scenario = nullptr);
 
     /// The file that the user wants to choose for a value, once.
     std::optional<FileWish> take_file_wish() { return std::exchange(file_wish_, std::nullopt); }
@@ -67,7 +71,7 @@ class ParameterPanel {
     bool awaits_text() const { return formulas_.awaits_text() || focus_.pending(); }
     /// At the beginning of a frame, whether or not the panel is drawn in it. `takes_keys`: no list or dialog
     /// is open that they are meant for.
-    void begin_frame(bool takes_keys) { monitors_.begin_frame(), takes_keys_ = takes_keys; }
+    void begin_frame(bool takes_keys);
     /// Something will happen without input.
     bool waiting() const { return formulas_.waiting() || monitors_.waiting(); }
 
@@ -89,6 +93,8 @@ class ParameterPanel {
                       const Values* opened, Values& values, const Scenario* scenario);
     void draw_formula(const PanelContext& context, const ParameterRow& row, const std::string& key,
                       Values& values, const Scenario& scenario);
+    void draw_motion(const PanelContext& context, const ParameterRow& row, const std::string& key,
+                     Values& values, const Scenario& scenario);
     SliderRange ends_of(const ParameterRow& row, const std::string& key, double value);
     void draw_text(const PanelContext& context, const ParameterRow& row, const std::string& key,
                    Values& values);
@@ -98,12 +104,15 @@ class ParameterPanel {
                              const Values* opened, Values& values);
     bool draw_number(const PanelContext& context, const ParameterRow& row, const std::string& key,
                      double& value, float width);
+    void follow_pointer(bool clicked, bool hovered);
     bool draw_typed(const PanelContext& context, const ParameterRow& row, const std::string& key,
                     double& value, float width);
 
     std::set<std::string, std::less<>> opened_; ///< the sections that show all rows
     std::size_t hidden_rows_ = 0;               ///< of the section that is drawn
     std::string focused_;                       ///< the key of the number that was clicked last
+    bool pointed_ = false;  ///< the pointer was brought to it, not it to the pointer by scrolling
+    double scrolled_ = -10; ///< when the wheel was last turned elsewhere, by ImGui::GetTime()
     bool takes_keys_ = true;
     std::string typing_;     ///< the key whose text field is being edited
     double typed_value_ = 0; ///< its content so far; it takes effect when the field is left

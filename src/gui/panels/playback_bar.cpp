@@ -59,6 +59,7 @@ struct Tangles {
     const DocumentRun* run;
     std::string name; ///< "Newton: "; empty if there is only one run
     std::vector<std::pair<int, int>> ranges;
+    std::vector<std::pair<int, int>> places; ///< the same along the track
 
     std::string text() const { return name + tangled_text(ranges, last_iteration(*run)); }
 };
@@ -69,14 +70,24 @@ std::vector<const DocumentRun*> shown_runs(const PlaybackRuns& runs) {
     return all;
 }
 
-std::vector<Tangles> tangles_of(const std::vector<const DocumentRun*>& shown) {
+/// Where an iteration of a run is along the track, which is that of the longest.
+int place_of(const DocumentRun& longest, const DocumentRun& run, int iteration) {
+    return iteration_beside(run, longest, iteration);
+}
+
+std::vector<Tangles> tangles_of(const std::vector<const DocumentRun*>& shown, const DocumentRun& longest) {
     std::vector<std::string> names;
     for (const DocumentRun* run : shown) names.push_back(run->name);
     names = what_differs(names);
     std::vector<Tangles> found;
-    for (std::size_t i = 0; i < shown.size(); ++i)
-        if (auto ranges = tangled_ranges(shown[i]->history); !ranges.empty())
-            found.push_back({shown[i], shown.size() > 1 ? names[i] + ": " : "", std::move(ranges)});
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        auto ranges = tangled_ranges(shown[i]->history), places = ranges;
+        if (ranges.empty()) continue;
+        for (auto& [first, last] : places)
+            first = place_of(longest, *shown[i], first), last = place_of(longest, *shown[i], last);
+        found.push_back(
+            {shown[i], shown.size() > 1 ? names[i] + ": " : "", std::move(ranges), std::move(places)});
+    }
     return found;
 }
 
@@ -88,7 +99,7 @@ void draw_tangled_text(const Track& track, const std::vector<Tangles>& tangles, 
     int first = track.last;
     for (const Tangles& one : tangles) {
         texts.push_back(one.text());
-        first = std::min(first, one.ranges.front().first);
+        first = std::min(first, one.places.front().first);
     }
     const std::string text = shortened(join(texts, "; "), (track.right - track.left) / small);
     const float width = small * text_size(text).x;
@@ -108,22 +119,22 @@ void draw_tangles(const Track& track, const std::vector<Tangles>& tangles, bool 
     float top = track.middle - half;
     for (std::size_t i = 0; i < tangles.size(); ++i, top += lane) {
         const float bottom = top + std::max(lane - context.scale, 1.0F);
-        for (const auto& [first, last] : tangles[i].ranges) {
+        for (const auto& [first, last] : tangles[i].places) {
             const float left = track.at(first), right = std::max(track.at(last), left + least);
             list.AddRectFilled({left, top}, {right, bottom}, packed(context.theme.tangled));
             if (several)
                 list.AddRectFilled({left - 2 * least, top}, {left, bottom},
                                    packed(curve_colour(context.theme, tangles[i].run->colour)));
         }
-        const auto [first, last] = tangles[i].ranges.front();
+        const auto [first, last] = tangles[i].places.front();
         context.items["playback.tangled." + std::to_string(i)] = {track.at(first), top, track.at(last),
                                                                   bottom};
     }
     draw_tangled_text(track, tangles, track.middle + 8.5F * context.scale, context.theme);
 }
 
-void draw_track(const Track& track, double position, const std::vector<const DocumentRun*>& shown, bool lit,
-                const FrameContext& context) {
+void draw_track(const Track& track, double position, const std::vector<const DocumentRun*>& shown,
+                const DocumentRun& longest, bool lit, const FrameContext& context) {
     const Theme& theme = context.theme;
     const float half = 2.5F * context.scale, knob = (lit ? 8.5F : 7.5F) * context.scale;
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -133,32 +144,33 @@ void draw_track(const Track& track, double position, const std::vector<const Doc
     list.AddRectFilled({track.left, track.middle - half}, {here, track.middle + half}, packed(theme.accent),
                        half);
     for (const DocumentRun* run : shown) // where shorter ones end
-        if (const int last = last_iteration(*run); last < track.last)
+        if (const int last = place_of(longest, *run, last_iteration(*run)); last < track.last)
             list.AddRectFilled({track.at(last) - context.scale, track.middle - 2 * half},
                                {track.at(last) + context.scale, track.middle + 2 * half},
                                packed(curve_colour(theme, run->colour)));
-    draw_tangles(track, tangles_of(shown), shown.size() > 1, context);
+    draw_tangles(track, tangles_of(shown, longest), shown.size() > 1, context);
     list.AddCircleFilled({here, track.middle}, knob, packed(theme.text), 32);
 }
 
-/// What is at an iteration: "Iteration 12", and of several runs which are tangled there or have ended before.
-std::string text_at(int iteration, const std::vector<const DocumentRun*>& shown) {
+/// What is at an iteration of the longest run: "Iteration 12" or "Time 0.3", and of several runs which are
+/// tangled there or have ended before.
+std::string text_at(int iteration, const std::vector<const DocumentRun*>& shown, const DocumentRun& longest) {
     std::string text = "Iteration " + std::to_string(iteration);
-    for (const DocumentRun* run : shown) {
-        const auto row = std::ranges::lower_bound(run->history, iteration, {}, &StepReport::iteration);
-        if (row == run->history.end() || !is_time_step(*row)) continue;
-        text = "Time " + short_number(*time_of(*row), 5);
-        break;
-    }
-    for (const Tangles& one : tangles_of(shown))
-        for (const auto& [first, last] : one.ranges)
+    const auto row = std::ranges::lower_bound(longest.history, iteration, {}, &StepReport::iteration);
+    if (row != longest.history.end() && is_time_step(*row)) text = "Time " + short_number(*time_of(*row), 5);
+    for (const Tangles& one : tangles_of(shown, longest))
+        for (const auto& [first, last] : one.places)
             if (first <= iteration && iteration <= last) {
                 text += "\n" + one.text();
                 break;
             }
-    for (const DocumentRun* run : shown)
-        if (last_iteration(*run) < iteration)
-            text += "\n" + run->name + ": ended at " + std::to_string(last_iteration(*run));
+    for (const DocumentRun* run : shown) {
+        const int last = last_iteration(*run);
+        if (place_of(longest, *run, last) >= iteration) continue;
+        const auto time = run->history.empty() ? std::nullopt : time_of(run->history.back());
+        text += "\n" + run->name + ": ended at " +
+                (time ? "t = " + short_number(*time, 5) : std::to_string(last));
+    }
     return text;
 }
 
@@ -177,8 +189,8 @@ void draw_scrubber(const PlaybackRuns& runs, Playback& playback, float width, co
         ImGui::GetIO().MouseWheel > 0 ? playback.go_back(run) : playback.go_forward(run);
     const std::vector<const DocumentRun*> shown = shown_runs(runs);
     if (possible && hovered && !ImGui::IsItemActive())
-        ImGui::SetTooltip("%s", text_at(static_cast<int>(std::lround(under)), shown).c_str());
-    draw_track(track, playback.iteration(run), shown, hovered || ImGui::IsItemActive(), context);
+        ImGui::SetTooltip("%s", text_at(static_cast<int>(std::lround(under)), shown, run).c_str());
+    draw_track(track, playback.iteration(run), shown, run, hovered || ImGui::IsItemActive(), context);
 }
 
 void draw_rates(Playback& playback, float width, const FrameContext& context) {

@@ -178,7 +178,8 @@ static double iteration_at(const std::vector<StepReport>& history, const Absciss
 }
 
 bool PlotPane::draw_curves(const Document& document, Shown& plot, const Plot& study,
-                           const FrameContext& context, const StepReport* cursor) {
+                           const FrameContext& context, const DocumentRun& longest,
+                           const StepReport* cursor) {
     const bool of_study = is_made_elsewhere(plot.choice.plot);
     PlotView view = of_study ? view_of(study) : view_of_runs(document.runs(), plot.choice, earlier_);
     const Abscissa abscissa = plot.choice.abscissa == "time" && !has_time_steps(document.runs())
@@ -197,8 +198,8 @@ bool PlotPane::draw_curves(const Document& document, Shown& plot, const Plot& st
     if (sweeps)
         sweep_ = PlotSweep{plot.choice.abscissa, *pointing.x};
     else
-        pointed_ = abscissa == "iterations" ? *pointing.x
-                                            : iteration_at(document.active().history, abscissa, *pointing.x);
+        pointed_ =
+            abscissa == "iterations" ? *pointing.x : iteration_at(longest.history, abscissa, *pointing.x);
     return menu;
 }
 
@@ -231,7 +232,8 @@ void PlotPane::suit(const Document& document) {
 
 std::optional<PlotWish> PlotPane::frame(const Document& document, const ItemRectangle& first,
                                         const ItemRectangle& second, const FrameContext& context,
-                                        const std::array<Plot, 2>& studies, const StepReport* cursor) {
+                                        const DocumentRun& longest, const std::array<Plot, 2>& studies,
+                                        const StepReport* cursor) {
     std::optional<PlotWish> wish;
     sweep_.reset();
     pointed_.reset();
@@ -244,7 +246,7 @@ std::optional<PlotWish> PlotPane::frame(const Document& document, const ItemRect
         const PlotChoice before = plot.choice;
         draw_header(name, document, plot, context);
         forget_zoom(before, plot.choice, plot.zoom);
-        const bool menu = draw_curves(document, plot, study, context, cursor);
+        const bool menu = draw_curves(document, plot, study, context, longest, cursor);
         remember_item(context.items, name + ".curves");
         if (menu) ImGui::OpenPopup(menu_id);
         const PlotChoice unturned = plot.choice;

@@ -34,12 +34,13 @@ class PlotPane {
     /// Draws both plots, each into a window of its own. Notes "plot.first" and "plot.first.quantity",
     /// ".quantity=jacobian" (while the list is open), ".abscissa", ".log", ".menu", ".menu.csv" (while it is
     /// open), ".curves"; likewise "plot.second". `studies`: what the two show where they are error studies.
-    /// `cursor`: the row of the active run's history that is shown; null: the newest.
+    /// `longest`: the run along which one goes, the active one or one beside it. `cursor`: the row of its
+    /// history that is shown; null: the newest.
     std::optional<PlotWish> frame(const Document& document, const ItemRectangle& first,
                                   const ItemRectangle& second, const FrameContext& context,
-                                  const std::array<Plot, 2>& studies = {},
+                                  const DocumentRun& longest, const std::array<Plot, 2>& studies = {},
                                   const StepReport* cursor = nullptr);
-    /// The iteration of the active run that was pointed at in this frame, with a fraction.
+    /// The iteration of the longest run that was pointed at in this frame, with a fraction.
     std::optional<double> take_pointed() { return std::exchange(pointed_, std::nullopt); }
     /// Whether a plot was double-clicked in this frame.
     bool take_double_click() { return std::exchange(double_clicked_, false); }
@@ -66,7 +67,7 @@ class PlotPane {
     void suit(const Document& document);
     /// True when a menu is asked for.
     bool draw_curves(const Document& document, Shown& plot, const Plot& study, const FrameContext& context,
-                     const StepReport* cursor);
+                     const DocumentRun& longest, const StepReport* cursor);
 
     std::array<Shown, 2> plots_{Shown{}, Shown{{.plot = "equidistribution"}, {}}};
     std::optional<PlotSweep> sweep_;

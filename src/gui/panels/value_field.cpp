@@ -51,9 +51,9 @@ std::optional<double> dragged_position(const ValueField& field, float width, flo
     return std::clamp(moved, 0.0, 1.0);
 }
 
-int steps_asked(bool hovered) {
+int steps_asked(bool wheel) {
     int steps = 0;
-    if (hovered && ImGui::GetIO().MouseWheel != 0) steps = ImGui::GetIO().MouseWheel > 0 ? 1 : -1;
+    if (wheel && ImGui::GetIO().MouseWheel != 0) steps = ImGui::GetIO().MouseWheel > 0 ? 1 : -1;
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow))) ++steps;
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow))) --steps;
     return ImGui::GetIO().KeyShift ? 10 * steps : steps;
@@ -86,7 +86,7 @@ void draw_field(const ValueField& field, ImVec2 low, ImVec2 high, bool lit, cons
 ValueFieldAnswer draw_value_field(const char* id, const ValueField& field, float width, const Theme& theme) {
     const float em = ImGui::GetFontSize();
     const ImVec2 low = ImGui::GetCursorScreenPos(), high{low.x + width, low.y + ImGui::GetFrameHeight()};
-    const bool takes_keys = field.focused && field.keys;
+    const bool takes_keys = field.focused && field.keys, takes_wheel = takes_keys && field.wheel;
     ValueFieldAnswer answer;
     ImGui::InvisibleButton(id, {std::max(width, 1.0F), ImGui::GetFrameHeight()});
     const bool hovered = ImGui::IsItemHovered();
@@ -95,8 +95,9 @@ ValueFieldAnswer draw_value_field(const char* id, const ValueField& field, float
     answer.type =
         (answer.clicked && ImGui::GetIO().KeyCtrl) || double_clicked() ||
         (takes_keys && !ImGui::IsAnyItemActive() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)));
-    if (takes_keys && hovered) keep_the_wheel();
-    if (takes_keys && !ImGui::GetIO().WantTextInput) answer.steps = steps_asked(hovered);
+    answer.hovered = hovered;
+    if (takes_wheel && hovered) keep_the_wheel();
+    if (takes_keys && !ImGui::GetIO().WantTextInput) answer.steps = steps_asked(takes_wheel && hovered);
     if (hovered && field.position) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     draw_field(field, low, high, hovered || ImGui::IsItemActive(), theme);
     return answer;

@@ -1,6 +1,8 @@
 #include "gui/panels/viewport_pane.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/short_number.hpp"
+#include "core/session/time_series.hpp"
 #include "gui/base/part_window.hpp"
 #include "gui/base/plot_text.hpp"
 #include "gui/plot/plot_widget.hpp"
@@ -82,8 +84,10 @@ std::string title_among_others(const ShownRun& shown) {
     if (shown.snapshot && shown.snapshot->report.iteration < last.iteration) {
         const StepReport& now = shown.snapshot->report;
         const std::size_t tangled = now.tangled_cells.value_or(0);
-        return run.name + ": iteration " + std::to_string(now.iteration) + " of " +
-               std::to_string(last.iteration) +
+        const std::string place = is_time_step(now) ? "t = " + short_number(*time_of(now), 5)
+                                                    : "iteration " + std::to_string(now.iteration) + " of " +
+                                                          std::to_string(last.iteration);
+        return run.name + ": " + place +
                (tangled > 0 ? ", " + std::to_string(tangled) + " tangled cells" : std::string());
     }
     std::string text = run.name + ": " + std::to_string(last.iteration) + " iterations, ";

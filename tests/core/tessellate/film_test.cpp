@@ -10,6 +10,10 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace gaspard {
 namespace {
@@ -125,6 +129,51 @@ TEST(Film, TheRangeLeavesOutWhatIsTangled) {
     EXPECT_NEAR(range->low, of_one.low, 1e-6 * of_one.high);
     EXPECT_NEAR(range->high, 2 * of_one.high, 1e-6 * of_one.high)
         << "of the iterate before the first tangled one";
+}
+
+TEST(Film, OfTimeHasOneRangeForAllOfItsMeshes) {
+    // The mesh rests at the start and at the end, and is fastest in between.
+    const Solved run = solved(
+        "plane-ring", {"domain.cells=8", "method.type=newton", "time.end=2", "time.step=0.1",
+                       "time.monitor.center_x=center_x + 0.1*(1 - cos(pi*t))", "view.color=mesh_speed"});
+    const Film film({.motions = {.time = true}}, run.recording, run.last, run.scenario.view);
+    double fastest = 0;
+    for (int k = 0; k < film.frames(); ++k)
+        fastest = std::max(
+            fastest, make_colouring(*film.frame(k).snapshot, colour_choice(run.scenario.view))->range.high);
+    const ColourChoice choice = colour_choice(run.scenario.view);
+    ASSERT_GT(fastest, 2 * make_colouring(*run.last, choice)->range.high);
+    for (int k = 0; k < film.frames(); ++k) {
+        EXPECT_EQ(film.frame(k).view.text("range"), "fixed");
+        EXPECT_EQ(film.frame(k).view.real("high"), fastest) << "none is beyond";
+        EXPECT_EQ(film.frame(k).view.real("low"), 0) << "the first mesh rests";
+    }
+    const Film part({.motions = {.time = true}, .last = film.iteration(3)}, run.recording, run.last,
+                    run.scenario.view);
+    EXPECT_LT(part.frame(0).view.real("high"), 0.8 * fastest) << "of those that are shown";
+    Values own = run.scenario.view;
+    own.set("range", std::string("fixed")), own.set("high", 7.0);
+    EXPECT_EQ(Film({.motions = {.time = true}}, run.recording, run.last, own).frame(2).view.real("high"), 7);
+}
+
+TEST(Film, OfTimeTheRangeLeavesOutWhatIsTangled) {
+    const Solved run = solved("plane-ring", {"domain.cells=8", "method.type=newton", "time.end=1",
+                                             "time.step=0.25", "time.monitor.center_x=center_x + t/10"});
+    const int end = run.last->report.iteration;
+    Recording recording(std::size_t{1} << 30);
+    for (const int k : run.recording.iterations()) {
+        Snapshot snapshot = *run.recording.at(k)->restore();
+        snapshot.report.tangled_cells = k == end - 1 ? 3 : 0;
+        for (Field& field : snapshot.fields)
+            if (field.name == "monitor" && k == end - 1)
+                for (double& value : field.values) value *= 1000;
+        recording.add(snapshot);
+    }
+    const Film film({.motions = {.time = true}}, recording, run.last, run.scenario.view);
+    EXPECT_LT(film.frame(0).view.real("high"), 100);
+    const Film tangled({.motions = {.time = true}, .first = end - 1, .last = end - 1}, recording, run.last,
+                       run.scenario.view);
+    EXPECT_GT(tangled.frame(0).view.real("high"), 1000) << "it shows nothing else";
 }
 
 TEST(Film, GoesToTheAdaptedMeshAndBack) {
@@ -245,6 +294,37 @@ TEST(Film, OfTimeBeginsWithTheSolvedMesh) {
     EXPECT_EQ(usual_motion(still.scenario), "iterations");
     EXPECT_THROW(parse_film_motions("time,iterations"), InputError);
     EXPECT_TRUE(parse_film_motions("time,turn").time);
+}
+
+TEST(Film, OfTimeIsFromOneTimeToAnother) {
+    const Solved run = solved("plane-ring", {"domain.cells=8", "method.type=newton", "time.start=2",
+                                             "time.end=3", "time.step=0.25", "time.monitor.center_x=t/10"});
+    const auto times = [&](std::optional<double> from, std::optional<double> to) {
+        const Film film({.motions = {.time = true}, .from_time = from, .to_time = to}, run.recording,
+                        run.last, run.scenario.view);
+        std::vector<double> all;
+        for (int k = 0; k < film.frames(); ++k) all.push_back(film.moment(k));
+        return all;
+    };
+    using Times = std::vector<double>;
+    EXPECT_EQ(times(2.25, 2.75), (Times{2.25, 2.5, 2.75}));
+    EXPECT_EQ(times({}, 2.25), (Times{2, 2.25}));
+    EXPECT_EQ(times(2.6, {}), (Times{2.5, 2.75, 3})) << "the nearest mesh";
+    EXPECT_EQ(times(2.51, 2.52), (Times{2.5}));
+    EXPECT_EQ(times(2, 3), times({}, {}));
+    for (const auto& [from, to] : {std::pair(3.5, 4.0), {0.0, 1.0}}) try {
+            times(from, to);
+            ADD_FAILURE() << from;
+        } catch (const InputError& error) {
+            EXPECT_NE(std::string(error.what()).find("t = 2 to 3"), std::string::npos) << error.what();
+        }
+    const auto refused = [&](const FilmPlan& plan) {
+        EXPECT_THROW(check_film(plan, *run.last->mesh, run.scenario.view), InputError);
+    };
+    refused({.motions = {.iterations = true}, .from_time = 2});
+    refused({.motions = {.time = true}, .from_time = 2.5, .to_time = 2.25});
+    refused({.motions = {.time = true}, .first = 3, .from_time = 2.5});
+    refused({.motions = {.time = true}, .last = 3, .to_time = 2.5});
 }
 
 TEST(Film, RefusesWhatMakesNoSense) {

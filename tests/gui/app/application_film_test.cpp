@@ -121,6 +121,35 @@ TEST_F(FilmFromWindowTest, OnlySomeIteratesInOneFile) {
     EXPECT_EQ(files(folder), (std::vector<std::string>{"part.apng"})) << "no frames are left beside it";
 }
 
+TEST_F(FilmFromWindowTest, AFilmOfTimeIsChosenByTimes) {
+    Scenario moving = small_ring();
+    apply_settings(*catalogue, moving,
+                   {"method.type=newton", "time.end=1", "time.step=0.1",
+                    "time.monitor.center_x=center_x + t/9", "view.color=mesh_speed", "view.width=160",
+                    "view.height=120"});
+    const auto before = run().openings;
+    application.document().replace(run().id, moving);
+    ASSERT_TRUE(wait_until([&] { return run().openings > before && run().ended(); }));
+    click("action.record-film");
+    EXPECT_FALSE(shows("film.first")) << "rows of the history say nothing";
+    fill("film.from-time", "0.3");
+    fill("film.to-time", "1.5");
+    click("film.ok");
+    EXPECT_TRUE(shows("film.ok")) << "there is no such time";
+    fill("film.to-time", "0.7");
+    begin("png", "part");
+    ASSERT_TRUE(saved("part", 5)) << said();
+    const FilmPlan plan{.motions = {.time = true}, .from_time = 0.3, .to_time = 0.7};
+    const std::vector<Image> expected = recorded_again(plan);
+    ASSERT_EQ(expected.size(), 5U);
+    for (int k = 0; k < 5; ++k)
+        EXPECT_EQ(frame_of("part", k).rgba, expected[static_cast<std::size_t>(k)].rgba)
+            << "with one range of colours, as of the command: " << k;
+    Scenario scenario = run().scenario;
+    scenario.view = look();
+    EXPECT_EQ(read_file(folder / "part" / "film.json"), film_record(scenario, plan, 5));
+}
+
 TEST_F(FilmFromWindowTest, FilesOfTheMesh) {
     begin("csv", "nodes");
     ASSERT_TRUE(saved("nodes.csv", iterates())) << said();
@@ -347,6 +376,42 @@ TEST_F(FilmFromWindowTest, AFrameIsTheSameInEveryKindOfView) {
                 << kind.name << " " << k;
         }
     }
+}
+
+TEST(FilmDialogTest, FilesOfMeshesHaveNoRateAndNoLength) {
+    const auto catalogue = std::make_shared<Catalogue>(builtin_catalogue());
+    const Scenario scenario = find_scenario(*catalogue, "plane-ring");
+    HeadlessUi ui;
+    ItemRectangles items;
+    FilmDialog dialog;
+    gaspard::Run solve(catalogue, scenario);
+    dialog.show({{{0, 1, 2, 3}}, 2, solve.snapshot()->mesh, "", ""}, scenario.view, "/nowhere/film");
+    const auto draw = [&] { dialog.draw(items); };
+    const auto type = [&](const std::string& field, const std::string& text) {
+        ui.double_click(items.at(field), draw);
+        ui.type(text, draw);
+        ui.key(ImGuiKey_Tab, true), ui.frame(draw), ui.key(ImGuiKey_Tab, false), ui.frame(draw);
+    };
+    const auto choose = [&](const std::string& format) {
+        ui.click(items.at("film.format"), draw);
+        ui.frame(draw);
+        ui.click(items.at("film.format=" + format), draw);
+        ui.frame(draw);
+    };
+    for (int i = 0; i < 3; ++i) ui.frame(draw);
+    type("film.rate", "20");
+    type("film.seconds", "1");
+    EXPECT_EQ(dialog.estimate(), "20 frames, 1 s, and 1 s more at the end");
+    for (const char* format : {"pvd", "csv"}) {
+        choose(format);
+        EXPECT_EQ(dialog.estimate(), "4 meshes") << format;
+        type("film.seconds", "3"); // it is grey
+        type("film.rate", "5");
+        EXPECT_EQ(dialog.estimate(), "4 meshes") << format;
+        EXPECT_EQ(dialog.problem(), "");
+    }
+    choose("glb"); // an animation
+    EXPECT_EQ(dialog.estimate(), "20 frames, 1 s, and 1 s more at the end") << "what was typed before";
 }
 
 TEST(FilmDialogTest, AFormatWithoutItsProgramSaysHowToGetIt) {

@@ -50,6 +50,86 @@ TEST_F(TimeApplicationTest, ShowsTheTimeAndPlotsAgainstIt) {
     EXPECT_EQ(application.items().count("plot.first.abscissa"), 1u);
 }
 
+TEST_F(TimeApplicationTest, TheEquationHasTheValuesOfTheTimeThatIsShown) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    const auto sidebar = [&] { // what is drawn there; all else in it is as at the start
+        ui.move_away();
+        for (int i = 0; i < 5; ++i) frame();
+        std::string bytes;
+        const ImDrawData& drawn = *ImGui::GetDrawData();
+        for (int i = 0; i < drawn.CmdListsCount; ++i)
+            if (const ImDrawList& list = *drawn.CmdLists[i]; std::string(list._OwnerName) == "##sidebar")
+                bytes.append(reinterpret_cast<const char*>(list.VtxBuffer.Data),
+                             sizeof(ImDrawVert) * static_cast<std::size_t>(list.VtxBuffer.Size));
+        return bytes;
+    };
+    const std::string at_end = sidebar();
+    ASSERT_FALSE(at_end.empty());
+    for (int i = 0; i < 20; ++i) application.perform("step-back");
+    EXPECT_FALSE(sidebar() == at_end);
+    application.perform("to-end");
+    EXPECT_TRUE(sidebar() == at_end);
+}
+
+TEST_F(TimeApplicationTest, AWrongFormulaStaysInItsFieldAndTheLastValidOneInForce) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    ImGui::GetIO().DisplaySize.y = 2000;
+    frame(), frame();
+    ui.click(item("time.more"), drawing());
+    for (int i = 0; i < 3; ++i) frame();
+    const std::string key = "time.monitor.center_x", row = "monitor.center_x";
+    const auto formula = [&] { return run().scenario.time.text(row); };
+    const auto type = [&](const std::string& text) {
+        replace_text(item(key), text);
+        for (int i = 0; i < 60; ++i) frame(); // a pause
+    };
+    const auto complaint = [&] { return application.items().contains(key + ".complaint"); };
+    const std::string before = formula();
+    EXPECT_FALSE(complaint());
+    for (const char* wrong : {"center_x + t*", "center_x + q*t", "center_x + x", "1/(t-t)"}) {
+        type(wrong);
+        EXPECT_TRUE(complaint()) << wrong;
+        EXPECT_EQ(formula(), before) << wrong;
+        ui.click(item("time"), drawing()); // leaves the field, and closes the section
+        for (int i = 0; i < 3; ++i) frame();
+        ui.click(item("time"), drawing());
+        for (int i = 0; i < 3; ++i) frame();
+        EXPECT_TRUE(complaint()) << "what is typed is still there: " << wrong;
+        EXPECT_FALSE(application.messages().error().open()) << wrong;
+    }
+    EXPECT_EQ(run().status.run, RunStatus::converged) << "the solver never saw it";
+    type("center_x + t/8");
+    EXPECT_FALSE(complaint());
+    EXPECT_EQ(formula(), "center_x + t/8");
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
+    type("center_x +");
+    ui.click(item(key + ".reset"), drawing());
+    for (int i = 0; i < 3; ++i) frame();
+    EXPECT_FALSE(complaint()) << "the arrow takes it back";
+    EXPECT_EQ(formula(), "center_x + t/8");
+    replace_text(item("time.path"), "0 0.2");
+    for (int i = 0; i < 60; ++i) frame();
+    EXPECT_TRUE(application.items().contains("time.path.complaint"));
+    EXPECT_EQ(run().scenario.time.text("path"), "");
+    application.perform("undo");
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
+    EXPECT_EQ(formula(), before) << "what is wrong is no edit";
+}
+
+TEST_F(TimeApplicationTest, AnEndThatIsDraggedTooFarOpensNoDialog) {
+    Scenario growing = run().scenario;
+    set_value(*catalogue, growing, "time.monitor.center_x", std::string());
+    set_value(*catalogue, growing, "time.monitor.radius", std::string("radius + t/4"));
+    application.document().change(run().id, growing);
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
+    ImGui::GetIO().DisplaySize.y = 2000;
+    frame(), frame();
+    ui.drag(item("time.end"), 0.1F, 0.9F, drawing());
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
+    EXPECT_FALSE(application.messages().error().open()) << application.messages().error().sentence();
+    EXPECT_LT(run().scenario.time.real("end"), 5);
+}
+
 TEST_F(TimeApplicationTest, KeepsTheMethodOfAScenarioWithTime) {
     EXPECT_EQ(for_window(*catalogue, find_scenario(*catalogue, "flow-live")).method.type, "newton");
     EXPECT_EQ(for_window(*catalogue, find_scenario(*catalogue, "plane-ring")).method.type, "auto");
@@ -76,6 +156,46 @@ TEST_F(TimeApplicationTest, GoesOnFromTheTimeThatIsShown) {
     EXPECT_LE(*first, shown + 1e-9);
     EXPECT_GT(*first, shown - 0.02 * 9) << "one in eight has a state";
     EXPECT_EQ(time_of(run().history.back()), 1.0);
+}
+
+TEST_F(TimeApplicationTest, UndoAfterGoingOnLeavesTheRunThatWasKept) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    Scenario changed = run().scenario;
+    set_value(*catalogue, changed, "monitor.amplitude", 12.0);
+    application.document().change(run().id, changed);
+    application.document().end_gesture();
+    application.perform("run-again");
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
+    for (int i = 0; i < 20; ++i) application.perform("step-back");
+    frame();
+    ASSERT_TRUE(application.press_key("Ctrl+G"));
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().history.size() == 1; }));
+    set_value(*catalogue, changed, "monitor.radius", 0.3);
+    application.document().change(run().id, changed);
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
+    const auto kept = [&] {
+        return application.document().runs().size() == 2u &&
+               application.document().runs()[1].recording != nullptr;
+    };
+    ASSERT_TRUE(kept());
+    const auto amplitude = [&] { return run().scenario.monitor.values.real("amplitude"); };
+    application.perform("undo");
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
+    EXPECT_NE(run().scenario.monitor.values.real("radius"), 0.3);
+    EXPECT_EQ(amplitude(), 12.0) << "one thing at a time";
+    EXPECT_TRUE(kept());
+    application.perform("undo");
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
+    EXPECT_NE(amplitude(), 12.0);
+    ASSERT_TRUE(kept()) << "what was solved after that time would be lost";
+    EXPECT_FALSE(application.document().edits().can_undo());
+    const DocumentRun& other = application.document().runs()[1];
+    EXPECT_EQ(time_of(other.history.back()), 1.0);
+    EXPECT_GT(other.recording->iterations().size(), 40u);
+    application.document().remove(other.id); // by its cross
+    EXPECT_EQ(application.document().runs().size(), 1u);
+    application.perform("undo");
+    EXPECT_EQ(application.document().runs().size(), 2u);
 }
 
 TEST_F(TimeApplicationTest, AValueChangesWhileTimePasses) {

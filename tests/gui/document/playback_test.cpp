@@ -1,7 +1,12 @@
+#include "core/session/time_series.hpp"
 #include "gui/document/playback.hpp"
 #include "gui/document_fixture.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
+#include <string>
+#include <utility>
 
 namespace gaspard {
 namespace {
@@ -23,6 +28,42 @@ class PlaybackTest : public DocumentFixture {
     }
 
     Playback playback;
+};
+
+/// A ring that moves.
+class PlaybackInTimeTest : public PlaybackTest {
+  protected:
+    void open(const std::string& step, const std::string& end) {
+        Scenario moving = find_scenario(*catalogue, "plane-ring");
+        apply_settings(*catalogue, moving,
+                       {"domain.cells=8", "method.type=newton", "time.end=" + end, "time.step=" + step,
+                        "time.monitor.center_x=center_x + t/8"});
+        document.open(moving);
+        ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    }
+    const DocumentRun& keep() { return *document.runs().find(*document.keep(run().id)); }
+    /// The run is solved with other steps.
+    void change(const std::string& step, const std::string& end) {
+        Scenario other = run().scenario;
+        apply_settings(*catalogue, other, {"time.end=" + end, "time.step=" + step});
+        document.change(run().id, other);
+        ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
+        document.reset(run().id);
+        ASSERT_TRUE(wait_until([&] { return time_of(run().history.front()) == 0.0 && !run().ended(); }));
+        document.start(run().id);
+        ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+        ASSERT_EQ(time_of(run().history.front()), 0.0);
+    }
+    static int first_step(const DocumentRun& of) {
+        return std::ranges::find_if(of.history, is_time_step)->iteration;
+    }
+    void go_to(const DocumentRun& of, double t) {
+        for (const StepReport& row : of.history)
+            if (std::abs(*time_of(row) - t) < 1e-9) playback.go_to(of, row.iteration);
+    }
+    double shown_time(const DocumentRun& of) {
+        return *time_of(of.history.at(static_cast<std::size_t>(playback.iteration(of))));
+    }
 };
 
 TEST_F(PlaybackTest, ShowsTheNewestIterateUntilToldOtherwise) {
@@ -160,6 +201,66 @@ TEST_F(PlaybackTest, TheLongestRunIsReplayedWhileShorterOnesStayAtTheirEnd) {
     EXPECT_EQ(playback.iteration(run()), 15);
     playback.go_to(kept, 40);
     EXPECT_TRUE(playback.live());
+}
+
+TEST_F(PlaybackInTimeTest, RunsWithOtherTimeStepsStandAtTheNearestTime) {
+    open("0.25", "1");
+    const DocumentRun& coarse = keep();
+    change("0.1", "1");
+    EXPECT_EQ(&longest_run(run(), {&coarse}), &run()) << "of equal ends the one with more steps";
+    playback.update(run(), run(), frame);
+    for (const auto& [t, nearest] : {std::pair(0.1, 0.0), {0.2, 0.25}, {0.4, 0.5}, {0.9, 1.0}}) {
+        go_to(run(), t);
+        EXPECT_NEAR(shown_time(run()), t, 1e-9);
+        EXPECT_NEAR(shown_time(coarse), nearest, 1e-9);
+        EXPECT_NEAR(*time_of(playback.snapshot(coarse)->report), nearest, 1e-9) << "its mesh as well";
+    }
+    go_to(run(), 0.0); // the last of the solve for the first time
+    const int solved = first_step(coarse) - 1;
+    EXPECT_EQ(playback.iteration(coarse), solved) << "its solved mesh, too";
+    playback.go_to(run(), 0);
+    EXPECT_EQ(playback.iteration(coarse), 0) << "before time passes, the iterations are compared";
+    EXPECT_EQ(iteration_beside(run(), coarse, 1000000), 1000000) << "there is no such iterate";
+}
+
+TEST_F(PlaybackInTimeTest, TheRunThatEndsLastIsReplayed) {
+    open("0.25", "2");
+    const DocumentRun& later = keep(); // fewer iterations
+    change("0.05", "1");
+    ASSERT_GT(last_iteration(run()), last_iteration(later));
+    EXPECT_EQ(&longest_run(run(), {&later}), &later);
+    playback.update(run(), later, frame);
+    go_to(later, 0.5);
+    EXPECT_NEAR(shown_time(run()), 0.5, 1e-9);
+    go_to(later, 1.75);
+    EXPECT_EQ(shown_time(run()), 1.0) << "it has ended";
+    EXPECT_NEAR(shown_time(later), 1.75, 1e-9);
+    go_to(run(), 0.65); // as to its first tangled iterate
+    EXPECT_NEAR(shown_time(later), 0.75, 1e-9);
+    playback.set_rate(10);
+    playback.play(later);
+    for (int i = 0; i < 9; ++i) playback.update(run(), later, frame);
+    EXPECT_NEAR(shown_time(later), 1.0, 1e-9) << "from there, in steps of the run that is replayed";
+    EXPECT_NEAR(shown_time(run()), 1.0, 1e-9);
+}
+
+TEST_F(PlaybackInTimeTest, WhileARunGoesOnOthersAreShownAtItsTime) {
+    open("0.25", "1");
+    const DocumentRun& coarse = keep();
+    change("0.1", "1");
+    const auto from = run().recording->with_state(first_step(run()) + 4);
+    ASSERT_TRUE(from);
+    document.go_on_from(run().id, *from);
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().history.size() == 1; }));
+    playback.update(run(), coarse, frame);
+    ASSERT_TRUE(playback.live());
+    const double here = *time_of(from->report());
+    EXPECT_LE(std::abs(shown_time(coarse) - here), 0.125 + 1e-9);
+    EXPECT_LT(here, 0.6);
+    document.start(run().id);
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    playback.update(run(), coarse, frame);
+    EXPECT_EQ(playback.snapshot(coarse), coarse.snapshot);
 }
 
 TEST_F(PlaybackTest, AFinishedRunWithoutARecordingStaysAsItIs) {

@@ -104,6 +104,8 @@ TEST(EquationBox, SaysTheValuesByTheirSymbols) {
     Scenario ring = find_scenario(catalogue, "plane-ring");
     EXPECT_EQ(values_by_symbol(ring.monitor.values), "A = 10   B = 200   r = 0.25   c = (0.5, 0.5)");
     EXPECT_EQ(values_by_symbol(Values()), "");
+    EXPECT_EQ(values_at_time(ring.monitor.values, 0.5),
+              "t = 0.5   A = 10   B = 200   r = 0.25   c = (0.5, 0.5)");
     EXPECT_EQ(equation_of(catalogue, SectionKind::monitor, ring.monitor),
               "m(x) = 1 + A sech²( B (|x - c|² - r²) )");
     EXPECT_EQ(equation_of(catalogue, SectionKind::method, ring.method), "");

@@ -166,6 +166,58 @@ TEST_F(PanelTest, WheelAndArrowKeysStepTheFieldThatWasClicked) {
     EXPECT_EQ(scenario.domain.values.integer("cells"), 5) << "one at least";
 }
 
+TEST_F(PanelTest, ScrollingThePanelChangesNoFieldThatComesUnderThePointer) {
+    const float height = 180; // less than all rows
+    const auto draw = [&] {
+        items.clear();
+        panel.begin_frame(true);
+        ImGui::SetNextWindowPos({0, 0});
+        ImGui::SetNextWindowSize({380, height});
+        ImGui::Begin("low panel", nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove);
+        for (const auto kind : all_sections)
+            if (has_section(scenario, kind))
+                panel.draw_section(kind, {catalogue, opened, theme, items, {}, patches, report}, scenario);
+        ImGui::End();
+    };
+    const auto turn = [&](float by) {
+        ui.wheel(by);
+        ui.frame(draw);
+        ui.wheel(0);
+        ui.frame(draw);
+    };
+    for (int i = 0; i < 3; ++i) ui.frame(draw);
+    const auto cells = [&] { return items.at("domain.cells"); };
+    const ItemRectangle at_first = cells();
+    ui.click(at_first, draw);
+    ui.move(at_first.center_x(), height - 5); // away from the field that was clicked
+    for (int i = 0; i < 3; ++i) ui.frame(draw);
+    for (int i = 0; i < 20; ++i) turn(-1); // to the end
+    const float scrolled = at_first.top - cells().top;
+    ASSERT_GT(scrolled, 60) << "the panel scrolls";
+    EXPECT_EQ(scenario, opened);
+    for (int i = 0; i < 60; ++i) ui.frame(draw);       // a second
+    ui.move(at_first.center_x(), at_first.center_y()); // where the field will come back to
+    for (int i = 0; i < 3; ++i) ui.frame(draw);
+    for (int i = 0; i < 20; ++i) {
+        turn(1);
+        ui.move(at_first.center_x() + static_cast<float>(i % 2), at_first.center_y()); // a hand trembles
+    }
+    EXPECT_EQ(scenario, opened) << "the field came under the pointer by scrolling";
+    EXPECT_EQ(cells().top, at_first.top) << "the panel scrolled on";
+    for (int i = 0; i < 60; ++i) ui.frame(draw);
+    turn(1);
+    EXPECT_EQ(scenario, opened) << "the pointer has not moved since";
+    for (int i = 0; i < 60; ++i) ui.frame(draw);
+    ui.move(at_first.center_x() + 9, at_first.center_y());
+    for (int i = 0; i < 3; ++i) ui.frame(draw);
+    turn(1);
+    EXPECT_GT(scenario.domain.values.integer("cells"), 60) << "it was pointed at";
+    const auto stepped = scenario.domain.values.integer("cells");
+    turn(-1);
+    EXPECT_LT(scenario.domain.values.integer("cells"), stepped);
+    EXPECT_EQ(cells().top, at_first.top) << "the panel does not scroll meanwhile";
+}
+
 TEST_F(PanelTest, AWholeNumberStaysWhole) {
     settle();
     ui.drag(items.at("domain.cells"), 0.2F, 0.7F, drawing());

@@ -18,7 +18,8 @@ class PlotPaneTest : public testing::Test {
     }
     void draw() {
         items.clear();
-        if (auto wanted = pane.frame(document, first, second, {theme, 1, items})) wish = wanted;
+        if (auto wanted = pane.frame(document, first, second, {theme, 1, items}, document.active()))
+            wish = wanted;
     }
     std::function<void()> drawing() {
         return [this] { draw(); };
