@@ -358,6 +358,7 @@ void SolverThread::execute(Command command, std::stop_token stop) {
             self.publish(stop); // the rest of the old history
             self.pace_.reset();
             self.run_->reset();
+            self.record_hidden(); // a start that follows at once leaves no time to publish it
             self.begins_ = SolverEventKind::restart;
             self.update([](SolverStatus& status) { status.run = RunStatus::running; });
         }

@@ -9,6 +9,17 @@ namespace {
 
 class DocumentTest : public DocumentFixture {};
 
+TEST_F(DocumentTest, ARunThatBeginsAnewIsRecordedFromItsStart) {
+    document.open(small_ring());
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    const std::uint64_t before = run().histories;
+    document.reset(run().id);
+    document.start(run().id);
+    ASSERT_TRUE(wait_until([&] { return run().histories > before && run().ended(); }));
+    EXPECT_EQ(run().recording->iterations().front(), 0);
+    EXPECT_NEAR(run().recording->at(0)->restore()->x.x.at(1), run().snapshot->mesh->nodes.x.at(1), 1e-7);
+}
+
 TEST_F(DocumentTest, KeepsEveryReportInOrderAndPlotsIt) {
     document.open(small_ring());
     ASSERT_EQ(document.viewports().size(), 1U);
