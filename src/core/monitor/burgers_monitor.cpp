@@ -184,7 +184,7 @@ MonitorType burgers_monitor_type() {
             .label = "Burgers' equation",
             .help =
                 "small cells in the fronts of u(x, t) on (0, 1), which is computed; it moves with the clock",
-            .equation = "m(x, t) = sqrt(1 + (α u_x)²); u_t + u u_x = ν u_xx",
+            .equation = "m(x, t) = sqrt(1 + (α u_x)²), u_t + u u_x = ν u_xx",
             .spaces = {SpaceKind::euclidean},
             .solids = false,
             .rows = burgers_rows,

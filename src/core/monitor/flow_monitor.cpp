@@ -53,7 +53,7 @@ MonitorType flow_monitor_type() {
         .name = "flow",
         .label = "Flow",
         .help = "small cells in the vortices of a flow that is computed; it moves with the clock",
-        .equation = "m(x, t) = 1 + (C - 1) (|q| / max |q|)^γ, blurred; q_t + div(q u) = 0",
+        .equation = "m(x, t) = 1 + (C - 1) (|q| / max(|q|))^γ, blurred, q_t + div(q u) = 0",
         .spaces = {SpaceKind::periodic_square},
         .solids = false,
         .rows = flow_monitor_rows,

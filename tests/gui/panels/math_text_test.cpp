@@ -4,6 +4,7 @@
 #include "gui/panels/math_text.hpp"
 #include "gui/panels/sections.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace gaspard {
@@ -126,6 +127,12 @@ TEST(EquationBox, MostEquationsAreFormulas) {
     EXPECT_EQ(names.find("ring "), std::string::npos) << names;
     EXPECT_EQ(names.find("spiral"), std::string::npos) << names;
     EXPECT_EQ(names.find("x-n"), std::string::npos) << names;
+    for (const char* computed : {"flow", "burgers"})
+        EXPECT_EQ(std::ranges::count(sentences, computed), 0) << computed;
+    EXPECT_EQ(parsed(catalogue.monitor("flow").equation),
+              "m(x, t) = 1 + (C − 1) pow((frac(|q|; max(|q|))); γ), blurred, sub(q; t) + div(q u) = 0");
+    EXPECT_EQ(parsed(catalogue.monitor("burgers").equation),
+              "m(x, t) = root(1 + pow((α sub(u; x)); 2)), sub(u; t) + u sub(u; x) = ν sub(u; xx)");
 }
 
 } // namespace
