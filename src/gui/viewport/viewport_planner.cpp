@@ -69,6 +69,15 @@ std::pair<ScreenRect, ScreenRect> halves(ScreenRect available) {
     return {first, second};
 }
 
+/// Colours that only a mesh has that follows a time, and that this one has not.
+std::vector<std::string> missing_velocities(const Snapshot& snapshot) {
+    std::vector<std::string> names;
+    for (const FieldInfo& info : mesh_colours())
+        if (info.name.starts_with("mesh_") && snapshot.field(info.name) == nullptr)
+            names.push_back(info.name);
+    return names;
+}
+
 /// A mesh that has another side.
 bool in_space(const MeshScene& scene) { return !scene.planar() && scene.elevation == 0; }
 
@@ -386,6 +395,7 @@ ViewportPlan ViewportPlanner::plan(const Snapshot& snapshot, const Values& view,
     ViewportPlan plan;
     plan.rect = rect;
     plan.text = text;
+    for (const std::string& name : missing_velocities(snapshot)) plan.unavailable.push_back("color=" + name);
     if (is_interval(*snapshot.mesh)) {
         place_plots(snapshot, view, plan, others, zooms, scale);
         return plan;
@@ -429,6 +439,11 @@ std::string missing_note(const Values& view, const Snapshot& snapshot) {
     for (const QualityMeasureInfo& measure : quality_measures())
         if (view.text("color") == measure.name && is_interval(*snapshot.mesh))
             return "view.color = " + view.text("color") + " shows nothing: an interval has no such values";
+    for (const std::string& name : missing_velocities(snapshot))
+        if (view.text("color") == name)
+            return "view.color = " + name + " shows nothing: " +
+                   (snapshot.field("mesh_speed") != nullptr ? "the mesh has no such direction"
+                                                            : "no time passes");
     if (!has_section_line(*snapshot.mesh) && !is_default(view, "section"))
         return "view.section shows nothing: only a mesh in the plane is cut by a line";
     const bool plane = snapshot.mesh->space_dimension == 2 && cell_dimension(snapshot.mesh->kind) == 2;

@@ -1,5 +1,6 @@
 // Globes and maps in a viewport: cameras, picking, and what the window lets one do with them.
 #include "core/base/error.hpp"
+#include "core/scenario/view_rows.hpp"
 #include "core/tessellate/check_view.hpp"
 #include "fixtures/fixture_catalogue.hpp"
 #include "gui/application_fixture.hpp"
@@ -123,15 +124,32 @@ TEST_F(GlobeTest, WhatAMeshHasNotIsUnavailableAndNotShown) {
         EXPECT_NE(sentence.find("use single or side-by-side"), std::string::npos) << sentence;
         EXPECT_NO_THROW(check_view(view_, sphere_snapshot(2).mesh.get()));
     }
-    EXPECT_EQ(plan(ring_snapshot(6)).unavailable,
+    const auto unavailable = [&](const Snapshot& snapshot) { // beside what needs time
+        std::vector<std::string> choices = plan(snapshot).unavailable;
+        EXPECT_EQ(std::erase_if(choices, [](const auto& one) { return one.starts_with("color=mesh_"); }), 4U);
+        return choices;
+    };
+    EXPECT_EQ(unavailable(ring_snapshot(6)),
               (std::vector<std::string>{"layout=front-and-rear", "layout=projection", "overlay=exact"}));
-    EXPECT_EQ(plan(cube_snapshot(3)).unavailable,
-              (std::vector<std::string>{"layout=projection", "overlay=exact"}));
-    EXPECT_EQ(plan(beside_exact_globe(3)).unavailable, std::vector<std::string>());
+    EXPECT_EQ(unavailable(cube_snapshot(3)), (std::vector<std::string>{"layout=projection", "overlay=exact"}));
+    EXPECT_EQ(unavailable(beside_exact_globe(3)), std::vector<std::string>());
     EXPECT_EQ(missing_note(view_, ring_snapshot(4)), "");
     view_.set("overlay", std::string("exact"));
     EXPECT_NE(missing_note(view_, ring_snapshot(4)), "");
     EXPECT_EQ(missing_note(view_, beside_exact_globe(3)), "");
+}
+
+TEST_F(GlobeTest, VelocitiesOfTheMeshNeedTime) {
+    Snapshot snapshot = ring_snapshot(6);
+    view_.set("color", std::string("mesh_velocity_z"));
+    EXPECT_EQ(missing_note(view_, snapshot), "view.color = mesh_velocity_z shows nothing: no time passes");
+    for (const char* name : {"mesh_speed", "mesh_velocity_x", "mesh_velocity_y"})
+        snapshot.fields.push_back({mesh_colour(name), std::vector<double>(snapshot.x.size())});
+    EXPECT_EQ(missing_note(view_, snapshot),
+              "view.color = mesh_velocity_z shows nothing: the mesh has no such direction");
+    const auto choices = plan(snapshot).unavailable;
+    EXPECT_EQ(std::ranges::count(choices, "color=mesh_velocity_z"), 1);
+    EXPECT_EQ(std::ranges::count(choices, "color=mesh_velocity_y"), 0);
 }
 
 TEST_F(GlobeTest, WhatIsPickedIsMarkedOnTheSideWhereItIs) {
