@@ -31,7 +31,8 @@ void main() {
     vec3 lines = strength * (part(half_width - away) - part(-half_width - away));
     float coverage = turned * max(max(lines.x, lines.y), max(lines.z, tint));
     vec3 base = surface.a > 0.0 ? surface.rgb : colour_of(place);
-    float dark = coverage * smoothstep(0.5, 0.6, dot(base, vec3(0.299, 0.587, 0.114))), bright = coverage - dark;
+    float dark = coverage * smoothstep(0.5, 0.6, dot(base, vec3(0.299, 0.587, 0.114)));
+    float bright = coverage - dark;
     // As in line_layer.frag; its powers .62 and 1.35 within .012.
     float root = sqrt(bright), deep = sqrt(dark);
     bright = light_ink.a * root * mix(1.0, sqrt(root), 0.47);

@@ -40,7 +40,8 @@ vec3 sides_on_edges(int facet, int which) {
     if (cuts == 1) return vec3(1.0);
     uint sides = texelFetch(edges, ivec2(facet & 2047, facet >> 11), 0).r;
     if (!quadrilaterals) return vec3(sides & 1u, (sides >> 2) & 1u, (sides >> 1) & 1u);
-    return which == 0 ? vec3(sides & 1u, (sides >> 3) & 1u, 0.0) : vec3((sides >> 2) & 1u, (sides >> 1) & 1u, 0.0);
+    if (which == 0) return vec3(sides & 1u, (sides >> 3) & 1u, 0.0);
+    return vec3((sides >> 2) & 1u, (sides >> 1) & 1u, 0.0);
 }
 
 void main() {

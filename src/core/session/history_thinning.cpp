@@ -1,5 +1,6 @@
 #include "core/session/history_thinning.hpp"
 
+#include "core/base/check.hpp"
 #include "core/session/time_series.hpp"
 
 #include <algorithm>
@@ -40,13 +41,14 @@ class Groups {
 } // namespace
 
 bool thin_out_time_steps(std::vector<StepReport>& history, std::size_t most) {
-    if (history.size() <= most || most < 4) return false;
+    GASPARD_CHECK(most >= 2);
+    if (history.size() <= most) return false;
     const Row first = std::partition_point(history.begin(), history.end(),
                                            [](const StepReport& row) { return !is_time_step(row); });
     if (static_cast<std::size_t>(history.end() - first) <= most) return false;
     const Row begin = first + 1, last = history.end() - 1; // those in between are thinned out
     int stride = 2;
-    while (Groups(first->iteration + 1, stride).count(begin, last) + 2 > most / 2) stride *= 2;
+    while (Groups(first->iteration + 1, stride).count(begin, last) > most / 2) stride *= 2;
     const Groups groups(first->iteration + 1, stride);
     Row kept = first;
     for (Row group = begin; group != last;) {

@@ -11,9 +11,10 @@ namespace gaspard {
 /// So many time steps are kept at most.
 constexpr std::size_t most_time_steps = 8192;
 
-/// If a history has more than `most` time steps: keeps one of every 2, 4, 8, ... successive ones, so that at
-/// most half as many are left. Of these that is the first with tangled cells; otherwise the first with a
-/// note, then the first that was measured. The first and the last time step and all rows before them stay.
+/// If a history has more than `most` (at least 2) time steps: keeps one of every 2, 4, 8, ... successive
+/// ones, so that at most half of `most` are left between the first and the last, which stay, as all rows
+/// before them do. Of successive ones that is the first with tangled cells; otherwise the first with a note,
+/// then the first that was measured.
 /// The inner iterations of a row that is left out are added to the row before it. Rows keep their iteration
 /// numbers. Returns whether rows were left out.
 bool thin_out_time_steps(std::vector<StepReport>& history, std::size_t most = most_time_steps);

@@ -27,13 +27,13 @@ void StepTolerance::learn(const std::vector<Sample>& samples, bool solved) {
             farthest = std::max(farthest, sample.residual);
             slope = std::max(slope, std::abs(sample.equidistribution - nearest) / sample.residual);
         }
+    if (solved) solved_ = nearest;
     if (!solved || farthest == 0) {
         value_ = std::max(value_, smallest_);
         period_ = solved && !known_ ? 0 : shortest;
         return;
     }
     const double before = value_;
-    solved_ = nearest;
     slope_ = std::max(slope, slope_ / 2);
     value_ = slope_ > 0 ? (factor_ - 1) * solved_ / (margin * slope_) : loosest;
     // Not far beyond what was seen.

@@ -122,8 +122,8 @@ void Run::TimeStep::set_time(const Following& following, double t) {
     const Stopwatch watch;
     const Scenario now = following.clock->at(t); // its errors name the time
     try {
-        course_.data = make_problem_data(*run_.catalogue_, now, course_.own,
-                                         run_.monitor_context(course_, {}, stop_));
+        course_.data =
+            make_problem_data(*run_.catalogue_, now, course_.own, run_.monitor_context(course_, {}, stop_));
     } catch (const InputError& error) {
         throw InputError(std::string(error.what()) + ", at t = " + short_number(t, 6));
     }

@@ -474,11 +474,12 @@ class Window {
         remember("height", static_cast<float>(now.height) / look_.scales.zoom);
     }
 
-    void lay_out() {
+    /// `again`: for the same drawing.
+    void lay_out(bool again) {
         ImGui_ImplGlfw_NewFrame();
         follow_input();
         // ImGui notices a click one frame later, so a double click takes up to four frames.
-        ImGui::GetIO().MouseDoubleClickTime = std::max(0.3F, 4 * ImGui::GetIO().DeltaTime);
+        if (!again) ImGui::GetIO().MouseDoubleClickTime = std::max(0.3F, 4 * ImGui::GetIO().DeltaTime);
         hold_overlay();
         ImGui::NewFrame();
         application_->frame();
@@ -489,10 +490,10 @@ class Window {
         int width = 0, height = 0;
         glfwGetFramebufferSize(window_.get(), &width, &height);
         if (width <= 0 || height <= 0) return; // minimized
-        lay_out();
+        lay_out(false);
         bool shot = application_->take_screenshot_request();
         if (answers_input_ && !shot) { // what a panel changes, those before it show one frame later
-            lay_out();
+            lay_out(true);
             shot = application_->take_screenshot_request();
         }
         const WindowPixels pixels{width, height, look_.scales.density};

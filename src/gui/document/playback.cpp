@@ -33,9 +33,9 @@ bool longer(const DocumentRun& run, const DocumentRun& other) {
 /// Nothing if the run has no time. While it is being solved for the first time, others are shown at the same
 /// iteration of theirs; its last mesh is compared with their last one.
 std::optional<Moment> moment_of(const DocumentRun& run, int iteration) {
-    const auto row = std::ranges::lower_bound(run.history, iteration, {}, &StepReport::iteration);
-    const auto t = row == run.history.end() ? std::nullopt : time_of(*row);
+    const auto t = time_at(run, iteration);
     if (!t) return std::nullopt;
+    const auto row = std::ranges::lower_bound(run.history, iteration, {}, &StepReport::iteration);
     const auto next = std::next(row);
     const bool before_time = next != run.history.end() && !is_time_step(*row) && !is_time_step(*next);
     return Moment{*t, before_time ? iteration : std::numeric_limits<int>::max()};
@@ -50,6 +50,19 @@ const DocumentRun& longest_run(const DocumentRun& run, const std::vector<const D
     for (const DocumentRun* other : others)
         if (other->recording && longer(*other, *longest)) longest = other;
     return *longest;
+}
+
+std::optional<double> time_at(const DocumentRun& run, int iteration) {
+    const auto after = std::ranges::lower_bound(run.history, iteration, {}, &StepReport::iteration);
+    if (after == run.history.end()) return std::nullopt;
+    const auto t = time_of(*after);
+    if (!t || after->iteration == iteration || after == run.history.begin()) return t;
+    const auto recorded = run.recording ? run.recording->at(iteration) : nullptr;
+    if (recorded && recorded->iteration() == iteration) return time_of(recorded->report());
+    const auto before = std::prev(after);
+    const double share =
+        static_cast<double>(iteration - before->iteration) / (after->iteration - before->iteration);
+    return std::lerp(time_of(*before).value_or(*t), *t, share);
 }
 
 int iteration_beside(const DocumentRun& run, const DocumentRun& other, int iteration) {
@@ -124,6 +137,7 @@ void Playback::go_to(const DocumentRun& run, double iteration) {
     const int wanted = static_cast<int>(std::lround(std::clamp(iteration, -1e9, 1e9)));
     if (!first || wanted >= last_iteration(run)) return show_newest();
     const auto before = run.recording->at(wanted);
+    if (!before) return show_newest(); // the solver has just begun another recording
     const std::vector<int> kept = run.recording->iterations();
     const auto after = std::upper_bound(kept.begin(), kept.end(), wanted);
     const bool nearer = after != kept.end() && *after - wanted < wanted - before->iteration();

@@ -92,6 +92,8 @@ class Playback {
 
 /// The number of the newest iterate; 0 if there is none.
 int last_iteration(const DocumentRun& run);
+/// The time of an iteration, recorded or between rows of the history that were kept; nullopt: it has none.
+std::optional<double> time_at(const DocumentRun& run, int iteration);
 /// The iteration at which `other` stands while `run` stands at this one: that of the nearest time, if both
 /// have time; else the same, also where `other` has ended before.
 int iteration_beside(const DocumentRun& run, const DocumentRun& other, int iteration);

@@ -157,7 +157,8 @@ void draw_track(const Track& track, double position, const std::vector<const Doc
 std::string text_at(int iteration, const std::vector<const DocumentRun*>& shown, const DocumentRun& longest) {
     std::string text = "Iteration " + std::to_string(iteration);
     const auto row = std::ranges::lower_bound(longest.history, iteration, {}, &StepReport::iteration);
-    if (row != longest.history.end() && is_time_step(*row)) text = "Time " + short_number(*time_of(*row), 5);
+    if (row != longest.history.end() && is_time_step(*row))
+        text = "Time " + short_number(*time_at(longest, iteration), 5);
     for (const Tangles& one : tangles_of(shown, longest))
         for (const auto& [first, last] : one.places)
             if (first <= iteration && iteration <= last) {

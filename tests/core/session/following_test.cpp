@@ -64,6 +64,9 @@ TEST(StepTolerance, AllowsWhatTheSamplesShow) {
     EXPECT_EQ(tolerance.value(), before) << "what is solved already tells nothing";
     tolerance.learn({{2e-7, 0.2}, {1e-7, 0.1}});
     EXPECT_EQ(tolerance.value(), before) << "nor does what is about as small as the last";
+    tolerance.learn({{1e-9, 0.15}});
+    EXPECT_FALSE(tolerance.exceeded_by(0.157)) << "but its mesh is solved";
+    EXPECT_TRUE(tolerance.exceeded_by(0.158));
     StepTolerance flat(1.05, 1e-8);
     flat.learn({{1e-9, 0.1}});
     EXPECT_EQ(flat.value(), 1e-8);

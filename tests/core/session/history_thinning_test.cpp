@@ -39,10 +39,13 @@ TEST(HistoryThinning, KeepsTheSolveTheFirstAndTheLastAndEverySecond) {
     EXPECT_EQ(history.size(), 19u);
     history = history_of(3, 17);
     EXPECT_TRUE(thin_out_time_steps(history, 16));
-    EXPECT_EQ(iterations_of(history), (std::vector<int>{0, 1, 2, 3, 4, 8, 12, 16, 19}));
+    EXPECT_EQ(iterations_of(history), (std::vector<int>{0, 1, 2, 3, 4, 6, 8, 10, 12, 14, 16, 18, 19}));
     const auto inner = [](int sum, const StepReport& row) { return sum + row.inner_iterations; };
     EXPECT_EQ(std::accumulate(history.begin(), history.end(), 0, inner), 20) << "none is lost";
     EXPECT_EQ(history.back().inner_iterations, 1) << "the last may have been sent to someone";
+    history = history_of(0, 5);
+    EXPECT_TRUE(thin_out_time_steps(history, 2));
+    EXPECT_EQ(iterations_of(history), (std::vector<int>{0, 1, 4})) << "one group between the ends";
     auto solving = history_of(100, 0);
     EXPECT_FALSE(thin_out_time_steps(solving, 16)) << "iterations are no time steps";
 }

@@ -195,13 +195,15 @@ TEST_F(ParameterStudy, VariesTheNumbersOfTime) {
     Scenario moving = find_scenario(*catalogue, "plane-ring");
     apply_settings(*catalogue, moving,
                    {"domain.cells=12", "monitor.amplitude=2", "method.type=newton", "time.end=0.4",
-                    "time.step=0.1", "time.monitor.center_x=center_x + t/4", "time.monitor.radius=0.25 - t/9"});
+                    "time.step=0.1", "time.monitor.center_x=center_x + t/4",
+                    "time.monitor.radius=0.25 - t/9"});
     const auto points = solved(plan(moving, "time.step=0.1,0.05", {}, "equidistribution"));
     ASSERT_EQ(points.size(), 2U);
     EXPECT_EQ(points[0].x, 0.05) << "in order";
     EXPECT_GT(study_value(points[0], "iterations"), study_value(points[1], "iterations") + 3);
     for (const StudyPoint& point : points) EXPECT_EQ(point.report->value("time"), 0.4);
-    const auto refused = [&](const std::string& over, const Texts& settings = {}, const std::string& lines = {}) {
+    const auto refused = [&](const std::string& over, const Texts& settings = {},
+                             const std::string& lines = {}) {
         Scenario scenario = moving;
         apply_settings(*catalogue, scenario, settings);
         try {
@@ -222,8 +224,9 @@ TEST_F(ParameterStudy, VariesTheNumbersOfTime) {
     EXPECT_EQ(refused("time.end=1,2", {"time.end=0"}), "");
     EXPECT_EQ(refused("monitor.radius=0.2,0.3"),
               "monitor.radius has no effect while time passes: time.monitor.radius does not use 'radius'");
-    EXPECT_EQ(refused("monitor.center_y=0.4,0.5", {"time.monitor.center_x=", "time.path=0 0.4 0.5; 1 0.6 0.5"}),
-              "monitor.center_y has no effect while time passes: time.path sets it");
+    EXPECT_EQ(
+        refused("monitor.center_y=0.4,0.5", {"time.monitor.center_x=", "time.path=0 0.4 0.5; 1 0.6 0.5"}),
+        "monitor.center_y has no effect while time passes: time.path sets it");
     EXPECT_NE(message_of<InputError>([&] { numbers("time.speed=1,2", moving); }).find("does not change"),
               std::string::npos);
 }

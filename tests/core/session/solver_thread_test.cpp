@@ -76,8 +76,8 @@ TEST_F(SolverThreadTest, ReportsEveryTimeStepAlthoughTheRunForgetsSome) {
 
 TEST_F(SolverThreadTest, APauseAResetAndAChangeEndALongTimeStep) {
     const Scenario long_steps =
-        scenario({"method.type=newton", "time.end=1", "time.rule=iterations", "time.iterations=10000", "domain.cells=60",
-                  "time.monitor.radius=radius + t/10"});
+        scenario({"method.type=newton", "time.end=1", "time.rule=iterations", "time.iterations=10000",
+                  "domain.cells=60", "time.monitor.radius=radius + t/10"});
     SolverThread thread(catalogue, long_steps, {});
     const auto moving = [&] {
         thread.drain();

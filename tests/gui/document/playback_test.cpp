@@ -1,3 +1,4 @@
+#include "core/session/history_thinning.hpp"
 #include "core/session/time_series.hpp"
 #include "gui/document/playback.hpp"
 #include "gui/document_fixture.hpp"
@@ -221,6 +222,21 @@ TEST_F(PlaybackInTimeTest, RunsWithOtherTimeStepsStandAtTheNearestTime) {
     playback.go_to(run(), 0);
     EXPECT_EQ(playback.iteration(coarse), 0) << "before time passes, the iterations are compared";
     EXPECT_EQ(iteration_beside(run(), coarse, 1000000), 1000000) << "there is no such iterate";
+}
+
+TEST_F(PlaybackInTimeTest, TimesAreRightWhereTheHistoryIsThinnedOut) {
+    open("0.05", "1");
+    DocumentRun thinned;
+    thinned.history = run().history, thinned.recording = run().recording;
+    ASSERT_TRUE(thin_out_time_steps(thinned.history, 6));
+    ASSERT_LT(thinned.history.size(), run().history.size() - 10);
+    for (const StepReport& row : run().history)
+        EXPECT_EQ(time_at(thinned, row.iteration), time_of(row)) << row.iteration << ", as recorded";
+    thinned.recording.reset();
+    for (const StepReport& row : run().history)
+        EXPECT_NEAR(*time_at(thinned, row.iteration), *time_of(row), 1e-12)
+            << row.iteration << ", between rows";
+    EXPECT_FALSE(time_at(thinned, last_iteration(run()) + 1));
 }
 
 TEST_F(PlaybackInTimeTest, TheRunThatEndsLastIsReplayed) {
