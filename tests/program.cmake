@@ -46,7 +46,7 @@ foreach(group Text Examples)
   add_test(NAME documents_${group} COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/docs/documents_test.py
     $<TARGET_FILE:gaspard> ${group})
 endforeach()
-set_tests_properties(documents_Examples PROPERTIES TIMEOUT 300 LABELS "graphics" COST 22)
+set_tests_properties(documents_Examples PROPERTIES TIMEOUT 600 LABELS "graphics" COST 22)
 
 # What is installed and packaged is enough for others.
 add_test(NAME installed_library COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/install/library_test.py
