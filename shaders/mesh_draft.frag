@@ -7,17 +7,17 @@ uniform vec4 light_ink; // no lines if its alpha and the next one's are zero
 uniform vec4 dark_ink;
 
 in float place;
-in vec3 away;
+in vec4 away;
 in float turned;
 in float light;
-flat in vec3 strength;
-flat in vec3 softness;
+flat in vec4 strength;
+flat in vec4 softness;
 flat in float tint;
 out vec4 colour;
 
-/// As in mesh_line.frag, for three edges.
-vec3 part(vec3 beyond) {
-    vec3 x = clamp(beyond, -1.0, 1.0);
+/// As in mesh_line.frag, for four edges.
+vec4 part(vec4 beyond) {
+    vec4 x = clamp(beyond, -1.0, 1.0);
     return mix(clamp(beyond + 0.5, 0.0, 1.0), 0.5 + x - 0.5 * x * abs(x), softness);
 }
 
@@ -28,8 +28,8 @@ vec3 colour_of(float place) {
 }
 
 void main() {
-    vec3 lines = strength * (part(half_width - away) - part(-half_width - away));
-    float coverage = turned * max(max(lines.x, lines.y), max(lines.z, tint));
+    vec4 lines = strength * (part(half_width - away) - part(-half_width - away));
+    float coverage = turned * max(max(max(lines.x, lines.y), max(lines.z, lines.w)), tint);
     vec3 base = surface.a > 0.0 ? surface.rgb : colour_of(place);
     float dark = coverage * smoothstep(0.5, 0.6, dot(base, vec3(0.299, 0.587, 0.114)));
     float bright = coverage - dark;

@@ -21,11 +21,11 @@ uniform float dusk;       // this and the next as in mesh_fill.frag
 uniform bool round_cells;
 
 out float place;  // along the colour map, 0 to 1
-out vec3 away;    // from the edges ab, ac, bc in pixels
+out vec4 away;    // from the sides of the facet in pixels: from point 0 to 1, from 1 to 2, ...
 out float turned; // as in mesh_line.vert
 out float light;
-flat out vec3 strength;
-flat out vec3 softness;
+flat out vec4 strength;
+flat out vec4 softness;
 flat out float tint; // what vanished lines leave
 
 vec4 shown(uint number) {
@@ -33,40 +33,59 @@ vec4 shown(uint number) {
     return blend >= 1.0 ? to : vec4(between(row(computational, int(number)).xyz, to.xyz), to.w);
 }
 
-vec2 pixels(vec4 place) { return place.xy * clip_to_pixels.xy; }
+vec4 on_screen(vec4 point) { return clip * vec4(point.xyz, 1.0); }
 
-/// Of a half: 1 for each of ab, ac, bc on an edge.
-vec3 sides_on_edges(int facet, int which) {
-    if (cuts == 1) return vec3(1.0);
-    uint sides = texelFetch(edges, ivec2(facet & 2047, facet >> 11), 0).r;
-    if (!quadrilaterals) return vec3(sides & 1u, (sides >> 2) & 1u, (sides >> 1) & 1u);
-    if (which == 0) return vec3(sides & 1u, (sides >> 3) & 1u, 0.0);
-    return vec3((sides >> 2) & 1u, (sides >> 1) & 1u, 0.0);
+/// The distance of c from the line through a and b, which are so far apart.
+float beyond(vec2 a, vec2 b, vec2 c, float apart) {
+    vec2 along = b - a, to = c - a;
+    return abs(along.x * to.y - along.y * to.x) / apart;
 }
+
+vec4 bits(uint flags, uvec4 which) { return vec4((uvec4(flags) >> which) & 1u); }
 
 void main() {
     int half_facet = gl_VertexID / 3, corner = gl_VertexID - 3 * half_facet;
     int facet = quadrilaterals ? half_facet >> 1 : half_facet;
+    bool far_half = quadrilaterals && (half_facet & 1) == 1;
     uvec4 points = texelFetch(facets, ivec2(facet & 2047, facet >> 11), 0);
-    uvec3 ends = !quadrilaterals ? points.xyz : (half_facet & 1) == 0 ? points.xyw : points.zwy;
-    vec4 a = shown(ends.x), b = shown(ends.y), c = shown(ends.z);
-    vec4 own = corner == 0 ? a : corner == 1 ? b : c;
-    vec4 clip_a = clip * vec4(a.xyz, 1.0), clip_b = clip * vec4(b.xyz, 1.0), clip_c = clip * vec4(c.xyz, 1.0);
-    gl_Position = corner == 0 ? clip_a : corner == 1 ? clip_b : clip_c;
+    vec4 p0 = shown(points.x), p1 = shown(points.y), p2 = shown(points.z), p3 = shown(points.w);
+    vec4 c0 = on_screen(p0), c1 = on_screen(p1), c2 = on_screen(p2), c3 = on_screen(p3);
+    // The halves 0 1 3 and 2 3 1 of a quadrilateral, or the triangle 0 1 2.
+    vec4 first = far_half ? p2 : p0, second = far_half ? p3 : p1;
+    vec4 third = far_half ? p1 : quadrilaterals ? p3 : p2;
+    vec4 own = corner == 0 ? first : corner == 1 ? second : third;
+    gl_Position = on_screen(own);
 
-    vec3 ab = (clip_b - clip_a).xyz * clip_to_pixels, ac = (clip_c - clip_a).xyz * clip_to_pixels;
-    float area = abs(ab.x * ac.y - ab.y * ac.x); // of both halves
-    vec3 lengths = max(vec3(length(ab.xy), length(ac.xy), distance(ab.xy, ac.xy)), 1e-3);
-    vec3 heights = area / lengths;
-    away = heights * vec3(corner == 2, corner == 1, corner == 0);
-    vec3 spacing = heights * float(cuts), crossing = lengths * float(cuts);
+    vec2 scale = clip_to_pixels.xy, o = gl_Position.xy * scale;
+    vec2 a = c0.xy * scale, b = c1.xy * scale, c = c2.xy * scale, d = c3.xy * scale;
+    vec4 lengths, heights; // of the sides, and of what lies across
+    if (quadrilaterals) {
+        lengths = max(vec4(distance(a, b), distance(b, c), distance(c, d), distance(d, a)), 1e-3);
+        heights = 0.5 * vec4(beyond(a, b, c, lengths.x) + beyond(a, b, d, lengths.x),
+                             beyond(b, c, d, lengths.y) + beyond(b, c, a, lengths.y),
+                             beyond(c, d, a, lengths.z) + beyond(c, d, b, lengths.z),
+                             beyond(d, a, b, lengths.w) + beyond(d, a, c, lengths.w));
+        away = vec4(beyond(a, b, o, lengths.x), beyond(b, c, o, lengths.y), beyond(c, d, o, lengths.z),
+                    beyond(d, a, o, lengths.w));
+    } else {
+        lengths = vec4(max(vec3(distance(a, b), distance(b, c), distance(c, a)), 1e-3), 1e6);
+        heights = vec4(beyond(a, b, c, lengths.x), beyond(b, c, a, lengths.y), beyond(c, a, b, lengths.z), 1e6);
+        away = vec4(beyond(a, b, o, lengths.x), beyond(b, c, o, lengths.y), beyond(c, a, o, lengths.z), 1e6);
+    }
+    vec4 spacing = heights * float(cuts), crossing = lengths * float(cuts);
     strength = smoothstep(fade.x, fade.y, spacing);
     softness = 1.0 - smoothstep(1.5 * fade.y, 3.0 * fade.y, spacing);
-    vec3 vanished = 2.0 * half_width * ((1.0 - strength) / max(spacing, 1e-3) +
+    vec4 vanished = 2.0 * half_width * ((1.0 - strength) / max(spacing, 1e-3) +
                                         (1.0 - smoothstep(fade.x, fade.y, crossing)) / crossing);
-    strength *= sides_on_edges(facet, half_facet & 1);
-    if (quadrilaterals) strength.z = vanished.z = 0.0; // bc is no edge
-    float most = max(max(vanished.x, vanished.y), vanished.z);
+    float most = max(max(vanished.x, vanished.y), max(vanished.z, vanished.w));
+    if (cuts > 1) {
+        uint flags = texelFetch(edges, ivec2(facet & 2047, facet >> 11), 0).r;
+        // A triangle that touches an edge with a corner is as far from it as from a parallel to the side
+        // opposite.
+        vec4 touches = bits(flags, uvec4(6u, 4u, 5u, 7u));
+        away = mix(away, heights - away, touches);
+        strength *= max(bits(flags, uvec4(0u, 1u, 2u, 3u)), touches);
+    }
     tint = haze * most / (1.0 + most);
     turned = ball.w > 0.0 && limb.y > limb.x
                  ? smoothstep(limb.x, limb.y, dot(normalize(own.xyz - ball.xyz), viewer))
@@ -78,7 +97,8 @@ void main() {
         place = row(cell_values, int(cell)).r;
     }
     if (logarithm > 0.0) place = log(1.0 + max(place, 0.0) * (exp(logarithm) - 1.0)) / logarithm;
-    vec3 normal = cross(ab, ac);
+    vec3 normal = cross((on_screen(second) - on_screen(first)).xyz * clip_to_pixels,
+                        (on_screen(third) - on_screen(first)).xyz * clip_to_pixels);
     float facing = round_cells ? dot(normalize(own.xyz - ball.xyz), viewer)
                                : abs(normal.z) / max(length(normal), 1e-20);
     facing = clamp(facing, 0.0, 1.0);

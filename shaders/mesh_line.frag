@@ -5,6 +5,7 @@
 uniform bool by_map;
 uniform vec4 surface; // as in mesh_fill.frag
 uniform vec4 flat_ink; // straight into a picture if its alpha is above zero
+uniform vec4 ink_on_light; // instead of flat_ink on light colours, if its alpha is above zero
 uniform float half_width;
 
 noperspective in vec2 place;
@@ -33,11 +34,12 @@ void main() {
     bool beside = place.x >= 0.0 && place.x <= line_length && place.y * tint.z >= 0.0;
     if (beside && away <= tint.x) coverage = max(coverage, tint.y);
     coverage *= turned;
-    if (flat_ink.a > 0.0) {
-        colour = vec4(by_map ? colour_of(value) : flat_ink.rgb, flat_ink.a * coverage);
-        return;
-    }
     vec3 below = surface.a > 0.0 ? surface.rgb : colour_of(value);
     float light = smoothstep(0.5, 0.6, dot(below, vec3(0.299, 0.587, 0.114)));
+    if (flat_ink.a > 0.0) {
+        vec4 ink = ink_on_light.a > 0.0 ? mix(flat_ink, ink_on_light, light) : flat_ink;
+        colour = vec4(by_map ? colour_of(value) : ink.rgb, ink.a * coverage);
+        return;
+    }
     colour = vec4(coverage * (1.0 - light), coverage * light, 0.0, 0.0);
 }

@@ -40,6 +40,8 @@ std::vector<std::uint32_t> sides_on_segments(const DrawnFacets& facets, const Te
     const auto& ends = tessellation.segments;
     std::unordered_set<std::uint64_t> segments;
     segments.reserve(ends.size() / 2);
+    std::vector<char> on_segment(tessellation.point_count, 0);
+    for (const std::uint32_t end : ends) on_segment[end] = 1;
     for (std::size_t i = 0; i < ends.size(); i += 2) segments.insert(key(ends[i], ends[i + 1]));
     std::vector<std::uint32_t> sides;
     sides.reserve(facets.facets.size());
@@ -48,6 +50,9 @@ std::vector<std::uint32_t> sides_on_segments(const DrawnFacets& facets, const Te
         std::uint32_t found = 0;
         for (std::size_t k = 0; k < corners; ++k)
             if (segments.contains(key(points[k], points[(k + 1) % corners]))) found |= 1U << k;
+        for (std::size_t k = 0; corners == 3 && k < 3; ++k)
+            if (on_segment[points[k]] != 0 && (found >> k & 1U) == 0 && (found >> (k + 2) % 3 & 1U) == 0)
+                found |= 16U << k;
         sides.push_back(found);
     }
     return sides;

@@ -25,7 +25,8 @@ struct DrawnFacets {
 /// `quadrilaterals`: the faces of the cells are quadrilaterals; else every triangle is a facet.
 DrawnFacets make_facets(const Tessellation& tessellation, bool quadrilaterals);
 
-/// For each facet which of its sides lie on segments: bit k for that from point k to the next one.
+/// For each facet which of its sides lie on segments: bit k for that from point k to the next one. Of a
+/// triangle also which of its points does so although neither of the sides that meet there does: bit 4 + k.
 std::vector<std::uint32_t> sides_on_segments(const DrawnFacets& facets, const Tessellation& tessellation);
 
 /// Two ends of a segment, and what lies beside (see Tessellation::segment_sides).

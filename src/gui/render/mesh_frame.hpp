@@ -26,6 +26,7 @@ struct LineStyle {
     float fade_begin = 0, fade_end = 0;
     float haze = 0, pull = 0;           ///< as in mesh_line.vert
     Colour surface, flat_ink;           ///< as in mesh_line.frag
+    Colour ink_on_light{0, 0, 0, 0};    ///< as in mesh_line.frag
     bool by_map = false;                ///< as in mesh_line.frag
     float limb_begin = 0, limb_end = 0; ///< as in mesh_line.vert; equal: lines do not fade
 };

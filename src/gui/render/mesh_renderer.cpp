@@ -63,10 +63,11 @@ MeshRenderer::MeshRenderer(const Gl& gl)
              fill("logarithm"),     fill("flat_cells"), fill("ball"),           fill("viewer"),
              fill("round_cells"),   fill("dusk"),       fill("nodal"),          fill("pallor"),
              fill("first_triangle")};
-    line_ = {line("clip"),      line("blend"),  line("half_viewport"), line("half_width"), line("fade"),
-             line("haze"),      line("pieces"), line("pull"),          line("surface"),    line("flat_ink"),
-             line("logarithm"), line("by_map"), line("flat_cells"),    line("ball"),       line("viewer"),
-             line("limb"),      line("bent")};
+    line_ = {line("clip"),    line("blend"),      line("half_viewport"), line("half_width"),
+             line("fade"),    line("haze"),       line("pieces"),        line("pull"),
+             line("surface"), line("flat_ink"),   line("ink_on_light"),  line("logarithm"),
+             line("by_map"),  line("flat_cells"), line("ball"),          line("viewer"),
+             line("limb"),    line("bent")};
     arrow_ = {arrow("clip"),      arrow("half_viewport"), arrow("head_width"), arrow("shaft_width"),
               arrow("rim_width"), arrow("pull"),          arrow("ink"),        arrow("rim")};
     for (const GlProgram* program : {&fill_program_, &line_program_, &arrow_program_}) {
@@ -337,6 +338,7 @@ void MeshRenderer::draw_lines(const Frame& frame, const LineSet& set, const Line
     gl_.Uniform1f(line_.pull, style.pull);
     set_colour(gl_, line_.surface, style.surface);
     set_colour(gl_, line_.flat_ink, style.flat_ink);
+    set_colour(gl_, line_.ink_on_light, style.ink_on_light);
     gl_.Uniform1f(line_.logarithm, frame.logarithm);
     gl_.Uniform4f(line_.ball, frame.ball.x, frame.ball.y, frame.ball.z, frame.ball.w);
     gl_.Uniform3f(line_.viewer, frame.viewer.x, frame.viewer.y, frame.viewer.z);
@@ -484,11 +486,9 @@ void MeshRenderer::draw_draft(const Frame& frame, const Theme& theme, const Line
                 shown_.mesh->kind.shape == CellShape::quadrilateral,
                 {style, shown_.lines ? theme.line_on_dark : none, shown_.lines ? theme.line_on_light : none,
                  shown_.flat(), is_round(), frame.planar ? 0 : dusk});
-    // Outside, half of the edge at the border is missing; it is seen where it differs from the ground.
-    const bool light = theme.background.r > 0.5F;
-    if (!shown_.lines || (light && shown_.colouring != nullptr)) return;
-    LineStyle border = style;
-    border.flat_ink = light ? theme.line_on_light : theme.line_on_dark;
+    if (!shown_.lines) return;
+    LineStyle border = style; // its half outside
+    border.flat_ink = theme.line_on_dark, border.ink_on_light = theme.line_on_light;
     border.haze = 0;
     draw_lines(frame, drawn_->border, border);
 }

@@ -64,8 +64,8 @@ class MeshRenderer {
             nodal, pallor, first_triangle;
     };
     struct LineUniforms {
-        GLint clip, blend, half_viewport, half_width, fade, haze, pieces, pull, surface, flat_ink, logarithm,
-            by_map, flat_cells, ball, viewer, limb, bent;
+        GLint clip, blend, half_viewport, half_width, fade, haze, pieces, pull, surface, flat_ink,
+            ink_on_light, logarithm, by_map, flat_cells, ball, viewer, limb, bent;
     };
     struct ArrowUniforms {
         GLint clip, half_viewport, head_width, shaft_width, rim_width, pull, ink, rim;

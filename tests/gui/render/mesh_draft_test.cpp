@@ -18,7 +18,9 @@ class MeshDrafts : public testing::Test {
   protected:
     Image draw(const MeshScene& scene, bool quickly, const Theme& theme = dark_theme()) {
         target_.bind();
-        renderer_.draw(scene, home(scene.box, {side, side}), {0, 0, side, side}, side, theme, 1, quickly);
+        Camera camera = home(scene.box, {side, side});
+        camera.scale *= zoom_;
+        renderer_.draw(scene, camera, {0, 0, side, side}, side, theme, 1, quickly);
         EXPECT_EQ(context_->gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
         return target_.read();
     }
@@ -39,6 +41,7 @@ class MeshDrafts : public testing::Test {
     RenderTarget target_{context_->gl(), side, side};
     MeshRenderer renderer_{context_->gl()};
     SceneBuilder maker_;
+    double zoom_ = 1;
 };
 
 TEST_F(MeshDrafts, LookLikeTheFullImage) {
@@ -57,13 +60,18 @@ TEST_F(MeshDrafts, OfTrianglesAndGlobesLookLikeTheFullImage) {
     const Snapshot globe = xn_globe(icosahedral_globe(5, 1), 4);
     expect_alike("a globe", scene(globe, view("monitor", 1)), 0.95);
     expect_alike("a globe without colours", scene(globe, view("none", 1)), 0.9);
+    expect_alike("a globe of squares", scene(xn_globe(cubed_globe(32, 1), 4), view("area", 1)), 0.95);
+}
+
+TEST_F(MeshDrafts, OfCurvedCellsLookLikeTheFullImage) {
+    zoom_ = 0.5; // so that their parts are large enough
     for (const char* colour : {"monitor", "area", "none"})
         expect_alike(std::string("curved squares, ") + colour,
-                     scene(xn_globe(cubed_globe(12, 2), 4), view(colour, 1)), 0.9);
+                     scene(xn_globe(cubed_globe(12, 2), 4), view(colour, 1)),
+                     0.88); // a cell's half of an edge has the ink for its own colour
     expect_alike("curved triangles", scene(xn_globe(icosahedral_globe(3, 2), 4), view("monitor", 1)), 0.9);
     expect_alike("curved triangles without colours",
                  scene(xn_globe(icosahedral_globe(4, 2), 4), view("none", 1)), 0.9);
-    expect_alike("a globe of squares", scene(xn_globe(cubed_globe(32, 1), 4), view("area", 1)), 0.95);
 }
 
 TEST_F(MeshDrafts, HaveNoLinesIfThereAreNone) {
