@@ -19,6 +19,7 @@ constexpr int most_parts = 8;          // of a time step that is not solved at o
 constexpr int most_learning = 1000;    // iterations of a step that learns
 constexpr int most_returning = 200;    // iterations on coarser meshes, until the fine one is reached
 constexpr double runaway_factor = 1e3; // a time step is given up if its criterion grows so much
+constexpr double far = 0.1;            // criterion: counted iterations that do not come nearer may lead away
 
 std::optional<int> degree_of(const Values& time) {
     const std::string& choice = time.text("extrapolation");
@@ -89,14 +90,20 @@ Run::TimeStep::Attempt Run::TimeStep::follow(const Following& following) {
     if (rule_ == time_rule::relaxation) return relax(to - from, *following.before);
     const bool samples = rule_ == time_rule::equidistribution && following.tolerance->learns();
     const double aim = following.tolerance ? following.tolerance->aim() : smallest();
+    const bool counted = rule_ == time_rule::iterations; // then every attempt is solved
     const State expected = following.maps.at(to, degree_of(time_));
     Attempt best = solve(expected, aim, samples);
     const auto keep = [&](Attempt attempt) {
-        if (attempt.solved || attempt.criterion < best.criterion) best = std::move(attempt);
+        const bool nearer = attempt.criterion < best.criterion;
+        if (attempt.solved == best.solved ? nearer : attempt.solved) best = std::move(attempt);
     };
-    if (!best.solved && !(expected == before)) keep(solve(before, aim, samples));
-    for (int parts = 2; !best.solved && rule_ != time_rule::iterations && parts <= most_parts; parts *= 2)
+    const auto good = [&] { return best.solved && (!counted || best.criterion < far); };
+    if (!good() && !(expected == before)) keep(solve(before, aim, samples));
+    for (int parts = 2; !best.solved && !counted && parts <= most_parts; parts *= 2)
         keep(follow_in_parts(following, before, aim, samples, parts));
+    if (good()) return best;
+    State identity = course_.method->initial_state();
+    if (best.criterion >= criterion_of(identity)) keep(solve(std::move(identity), aim, samples));
     return best;
 }
 
@@ -143,6 +150,10 @@ double Run::TimeStep::criterion(const Evaluation& evaluation) const {
     run_.take_series(course_, evaluation.series, report);
     const double value = *report.value(course_.series->criterion());
     return std::isfinite(value) ? value : std::numeric_limits<double>::infinity();
+}
+
+double Run::TimeStep::criterion_of(const State& state) {
+    return criterion(course_.method->evaluate(course_.data, state, stop_));
 }
 
 StepTolerance::Sample Run::TimeStep::sample(double residual) {

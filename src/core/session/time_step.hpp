@@ -48,6 +48,7 @@ class [[gnu::visibility("hidden")]] Run::TimeStep { // the library does not expo
     void set_time(const Following& following, double t);
     double smallest() const;
     double criterion(const Evaluation& evaluation) const;
+    double criterion_of(const State& state);
     StepTolerance::Sample sample(double residual);
 
     const Run& run_;

@@ -425,5 +425,28 @@ TEST_F(FollowingTest, AMonitorOfTheCallerHasItsOwnTime) {
     EXPECT_EQ(run.status(), RunStatus::converged);
 }
 
+/// Maps that were not solved would be extrapolated ever farther.
+TEST_F(FollowingTest, CountedIterationsDoNotLeadAway) {
+    gaspard::Run run = make({"domain.cells=24", "time.end=0.6", "time.rule=iterations", "time.iterations=1",
+                             "monitor.sharpness=200", "time.monitor.center_x=0.5 + 0.4*t"});
+    run.solve();
+    for (const StepReport& step : time_steps(run)) {
+        EXPECT_LT(step.residual, 0.5) << *time_of(step);
+        EXPECT_EQ(step.tangled_cells, 0u) << *time_of(step);
+    }
+    EXPECT_LT(time_steps(run).back().residual, 0.05);
+}
+
+/// Cells are wider than the ring; a step of many is solved by none of the attempts.
+TEST_F(FollowingTest, AMeshThatIsLostIsFoundAgain) {
+    gaspard::Run run = make({"domain.cells=8", "monitor.sharpness=200", "time.end=3", "time.step=0.004",
+                             "time.monitor.center_x=center_x + t", "method.diagnostics_every=1000"});
+    run.solve();
+    int lost = 0;
+    for (const StepReport& step : time_steps(run)) lost += step.residual > 0.5 ? 1 : 0;
+    EXPECT_LE(lost, 1);
+    EXPECT_LT(run.history().back().residual, 1e-2);
+}
+
 } // namespace
 } // namespace gaspard
