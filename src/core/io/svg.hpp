@@ -56,7 +56,7 @@ struct MeshSvgOptions {
 /// A mesh of a drawing that shows several states of it.
 struct SvgPanel {
     std::string title{};                  ///< above it; empty where it is the only one
-    double blend = 1;                     ///< as view.blend: nodes are at ξ + t (x − ξ)
+    double blend = 1;                     ///< as view.blend: nodes are at ξ + λ (x − ξ)
     std::optional<Colouring> colouring{}; ///< white without one
 };
 

@@ -214,11 +214,11 @@ std::vector<ParameterRow> view_rows(std::span<const FieldInfo> further, std::str
         colour_row(further, usual_colour),
         {.key = "blend",
          .label = "Blend",
-         .symbol = "t",
+         .symbol = "λ",
          .minimum = 0,
          .maximum = 1,
          .default_value = 1.0,
-         .help = "nodes are shown at ξ + t (x − ξ): 0 is the computational, 1 the physical mesh"},
+         .help = "nodes are shown at ξ + λ (x − ξ): 0 is the computational, 1 the physical mesh"},
         formerly("map", choice("color_map", "Colour map",
                                {"automatic", "viridis", "plasma", "ember", "grey", "blue-yellow", "blue-red"},
                                "automatic: viridis, or blue-red around zero; blue-yellow is safe for "

@@ -1,4 +1,4 @@
-// Meshes between the computational (t = 0) and the physical one (t = 1), as view.blend says.
+// Meshes between the computational (λ = 0) and the physical one (λ = 1), as view.blend says.
 #pragma once
 
 #include "core/tessellate/ticks.hpp"
@@ -7,12 +7,14 @@
 
 namespace gaspard {
 
-/// xi + t (x - xi), exact at both ends.
-inline double blended(double xi, double x, double t) {
-    return t == 1 ? x : t == 0 ? xi : (1 - t) * xi + t * x;
+/// xi + lambda (x - xi), exact at both ends.
+inline double blended(double xi, double x, double lambda) {
+    return lambda == 1 ? x : lambda == 0 ? xi : (1 - lambda) * xi + lambda * x;
 }
 
-/// "physical", "t = 0.5"
-inline std::string blend_title(double t) { return t == 1 ? "physical" : "t = " + short_number(t, 3); }
+/// "physical", "λ = 0.5"
+inline std::string blend_title(double blend) {
+    return blend == 1 ? "physical" : "λ = " + short_number(blend, 3);
+}
 
 } // namespace gaspard

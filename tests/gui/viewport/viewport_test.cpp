@@ -29,7 +29,7 @@ TEST_F(ViewportTest, SideBySideIsTwoPicturesOfOneSizeSeenByOneCamera) {
         EXPECT_EQ(first.scene.blend, 0);
         EXPECT_EQ(second.scene.blend, 0.25);
         EXPECT_EQ(first.title, "computational");
-        EXPECT_EQ(second.title, "t = 0.25");
+        EXPECT_EQ(second.title, "λ = 0.25");
         const bool beside = second.rect.min.x >= first.rect.max.x,
                    below = second.rect.min.y >= first.rect.max.y;
         EXPECT_NE(beside, below) << "they do not overlap";
