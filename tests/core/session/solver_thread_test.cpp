@@ -110,6 +110,31 @@ TEST_F(SolverThreadTest, APauseAResetAndAChangeEndALongTimeStep) {
     std::this_thread::sleep_for(20ms);
 }
 
+TEST_F(SolverThreadTest, AChangeThatLeavesTheMeshAsItIsLetsATimeStepGoOn) {
+    const Scenario long_steps =
+        scenario({"method.type=newton", "time.end=1", "time.rule=iterations", "time.iterations=100",
+                  "domain.cells=60", "time.monitor.radius=radius + t/10"});
+    SolverThread thread(catalogue, long_steps, {});
+    const auto stepped = [&] {
+        thread.drain();
+        const auto now = thread.latest();
+        return now && now->report.value("time").value_or(0) > 0;
+    };
+    std::uint64_t number = 0;
+    ASSERT_TRUE(eventually([&] { // far more often than there are time steps
+        Scenario changed = long_steps;
+        const bool even = number % 2 == 0;
+        apply_settings(*catalogue, changed,
+                       {even ? "view.color=area" : "view.color=monitor",
+                        even ? "output.formats=obj" : "output.formats=vtu"});
+        thread.post(ChangeCommand{.scenario = changed, .number = ++number});
+        return stepped();
+    }));
+    thread.post(PauseCommand{});
+    ASSERT_TRUE(eventually([&] { return thread.status().answered == number; })) << "all are answered";
+    EXPECT_FALSE(thread.status().refused);
+}
+
 TEST_F(SolverThreadTest, StartsPausedStepsPausesAndGoesOn) {
     SolverThread thread(catalogue, scenario(), {.start_running = false});
     ASSERT_TRUE(eventually([&] { return thread.latest() != nullptr; }));
