@@ -11,7 +11,7 @@ set(public_headers
   monitor/combine.hpp monitor/derived.hpp monitor/field_monitor.hpp monitor/formula_monitor.hpp monitor/function.hpp monitor/image_monitor.hpp monitor/monitor.hpp monitor/problem_data.hpp monitor/tensor.hpp
   method/method.hpp
   scenario/catalogue.hpp scenario/data_files.hpp scenario/output_rows.hpp monitor/pde_type.hpp scenario/scenario.hpp scenario/toml.hpp session/interpolation_study.hpp session/run.hpp session/series_table.hpp session/snapshot.hpp
-  tessellate/check_view.hpp tessellate/colour_choice.hpp io/formats.hpp io/run_files.hpp io/state_file.hpp
+  tessellate/check_view.hpp tessellate/colour_choice.hpp io/formats.hpp io/history_file.hpp io/run_files.hpp io/state_file.hpp
   spline/knots.hpp spline/patch_choice.hpp spline/patch_file.hpp spline/patch_map.hpp spline/spline_patch.hpp spline/tensor_space.hpp)
 # Here they are "core/session/run.hpp", for others <gaspard/session/run.hpp>.
 foreach(header IN LISTS public_headers)

@@ -7,7 +7,7 @@
 #include "core/base/user_path.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/image.hpp"
-#include "core/io/run_files.hpp"
+#include "core/io/history_file.hpp"
 #include "core/io/run_folder.hpp"
 #include "core/session/comparison.hpp"
 #include "core/session/report_columns.hpp"

@@ -145,7 +145,9 @@ int record_command(std::shared_ptr<const Catalogue> catalogue, const RecordArgum
         std::optional<ProgressLine> progress(std::in_place, arguments.quiet);
         Recording recording(budget);
         solve(run, recording, *progress, stop);
-        const Film film(plan, recording, run.snapshot(), scenario.view);
+        const Film film(
+            plan, recording, run.snapshot(), scenario.view,
+            [&](double, std::string_view what) { progress->show(std::string(what)); }, stop);
         const std::string record = film_record(scenario, plan, film.frames());
         if (arguments.resume && record_in(folder) != record)
             throw InputError("the film in " + folder.string() +

@@ -6,7 +6,6 @@
 #include "core/base/error.hpp"
 #include "core/base/user_path.hpp"
 #include "core/io/atomic_file.hpp"
-#include "core/io/film_files.hpp"
 #include "core/io/history_file.hpp"
 #include "core/io/image.hpp"
 #include "core/io/run_files.hpp"

@@ -18,6 +18,7 @@
 //   diagnostics/interpolation_error.hpp  why adapt: errors of a function on the uniform and the adapted mesh
 //   session/interpolation_study.hpp  the same against the number of cells
 //   io/run_files.hpp         meshes, history and state as files
+//   io/history_file.hpp      the history, also as a file that has every time step of a long run
 //   io/state_file.hpp        the unknowns, to continue later
 //   mesh/surface_mesh.hpp    surface meshes read from OBJ, OFF, PLY and STL
 //   mesh/surface_topology.hpp  edges, one-rings, boundary loops and orientation of a surface
@@ -32,6 +33,7 @@
 #include "core/base/version.hpp"
 #include "core/diagnostics/interpolation_error.hpp"
 #include "core/io/formats.hpp"
+#include "core/io/history_file.hpp"
 #include "core/io/run_files.hpp"
 #include "core/io/state_file.hpp"
 #include "core/mesh/surface_mesh.hpp"

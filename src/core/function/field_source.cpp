@@ -3,6 +3,7 @@
 #include "core/base/read_data_file.hpp"
 #include "core/data/field_file.hpp"
 #include "core/function/field_function.hpp"
+#include "core/function/field_values.hpp"
 
 #include <cmath>
 #include <utility>
@@ -36,10 +37,8 @@ static std::shared_ptr<const FieldData> read_step(const std::string& file, const
 /// Of a field that moves, the time step is told whose missing values are not allowed.
 static void check_step(const Values& values, const FieldData& field, std::int64_t step) {
     const std::size_t missing = count_missing(values_of(field));
-    if (missing == 0 || values.text("missing") != "error") return;
-    throw InputError(std::to_string(missing) + " of " + std::to_string(values_of(field).size()) +
-                     " values are missing" + in_step(step) +
-                     "; allow the nearest or the lowest to stand in (missing = nearest or floor)");
+    if (missing > 0 && values.text("missing") == "error")
+        refuse_missing(missing, values_of(field).size(), in_step(step));
 }
 
 std::shared_ptr<const FieldData> read_field(const Values& values, const DataContext& context) {

@@ -61,10 +61,7 @@ std::size_t transform(std::vector<double>& values, FieldTransform how, std::vect
 }
 
 void note_missing(std::size_t missing, std::size_t all, MissingValues how, std::vector<std::string>& notes) {
-    if (how == MissingValues::error)
-        throw InputError(counted(missing, all) +
-                         " missing; allow the nearest or the lowest to stand in (missing = "
-                         "nearest or floor)");
+    if (how == MissingValues::error) refuse_missing(missing, all);
     notes.push_back(counted(missing, all) + " missing; the " +
                     (how == MissingValues::nearest ? "nearest ones stand" : "lowest one stands") +
                     " in for " + (missing == 1 ? "it." : "them."));
@@ -97,6 +94,11 @@ void spread(GridData& grid) {
 }
 
 } // namespace
+
+void refuse_missing(std::size_t missing, std::size_t all, const std::string& where) {
+    throw InputError(counted(missing, all) + " missing" + where +
+                     "; allow the nearest or the lowest to stand in (missing = nearest or floor)");
+}
 
 void prepare_values(GridData& grid, const FieldOptions& options, std::vector<std::string>& notes) {
     for (const auto& axis : grid.axes) check_coordinates(axis);

@@ -4,6 +4,7 @@
 #include "core/data/field_data.hpp"
 #include "core/function/field_function.hpp"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -13,5 +14,8 @@ namespace gaspard {
 /// values are missing and must not be.
 void prepare_values(GridData& grid, const FieldOptions& options, std::vector<std::string>& notes);
 void prepare_values(ScatteredData& data, const FieldOptions& options, std::vector<std::string>& notes);
+/// Throws the InputError of values that are missing and must not be. `where`: of which part of the field,
+/// such as in_step(); empty: of all.
+[[noreturn]] void refuse_missing(std::size_t missing, std::size_t all, const std::string& where = {});
 
 } // namespace gaspard

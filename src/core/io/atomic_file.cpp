@@ -133,6 +133,14 @@ bool is_abandoned(const fs::path& file) {
     return code == std::errc{} && end != last && *end == '-' && ::kill(writer, 0) != 0 && errno == ESRCH;
 }
 
+void remove_unfinished(const fs::path& folder) {
+    std::error_code ignored;
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(folder, ignored))
+        if (is_abandoned(entry.path())) files.push_back(entry.path());
+    for (const fs::path& file : files) fs::remove(file, ignored);
+}
+
 void make_folder(const fs::path& folder) {
     std::error_code error;
     if (!folder.empty()) fs::create_directories(folder, error);

@@ -36,6 +36,8 @@ class AtomicFile {
 
 /// Whether this is the temporary file of a program that ended without completing it.
 bool is_abandoned(const std::filesystem::path& file);
+/// Removes those of a folder, as far as possible. What other programs are writing stays.
+void remove_unfinished(const std::filesystem::path& folder);
 
 /// Creates the folder and its parents if necessary. Throws MachineError naming the folder and the cause.
 void make_folder(const std::filesystem::path& folder);

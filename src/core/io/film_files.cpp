@@ -2,7 +2,6 @@
 
 #include "core/base/error.hpp"
 #include "core/base/join.hpp"
-#include "core/io/atomic_file.hpp"
 #include "core/io/video.hpp"
 #include "core/scenario/data_files.hpp"
 #include "core/scenario/toml.hpp"
@@ -119,14 +118,6 @@ void remove_frames(const fs::path& folder, std::string_view suffix) {
         if (!fs::remove(frame, error) && error)
             throw MachineError("cannot remove " + frame.string() +
                                ", which is of another film: " + error.message());
-}
-
-void remove_unfinished(const fs::path& folder) {
-    std::error_code ignored;
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator(folder, ignored))
-        if (is_abandoned(entry.path())) files.push_back(entry.path());
-    for (const fs::path& file : files) fs::remove(file, ignored);
 }
 
 std::vector<int> frames_with_meshes(const Film& film) {

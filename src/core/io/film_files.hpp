@@ -44,8 +44,6 @@ std::string film_record(const Scenario& scenario, const FilmPlan& plan, int fram
 std::filesystem::path frame_file(const std::filesystem::path& folder, int frame, std::string_view suffix);
 /// Removes the numbered files of another film. Throws MachineError if one cannot be removed.
 void remove_frames(const std::filesystem::path& folder, std::string_view suffix);
-/// Removes what programs that were killed have not completed; what others are writing stays.
-void remove_unfinished(const std::filesystem::path& folder);
 
 /// The frames whose iterate is not that of the frame before: those that have a file of their own in mesh/.
 std::vector<int> frames_with_meshes(const Film& film);

@@ -1,7 +1,7 @@
 #include "core/io/history_file.hpp"
 
 #include "core/base/error.hpp"
-#include "core/io/run_files.hpp"
+#include "core/io/atomic_file.hpp"
 #include "core/session/report_columns.hpp"
 
 #include <array>
@@ -26,11 +26,14 @@ std::string history_csv(const std::vector<StepReport>& history) {
 }
 
 HistoryFile::HistoryFile(std::filesystem::path file, const Run& run)
-    : columns_(history_columns(run.history())), file_(std::move(file)), last_(run.history().front()) {
+    : columns_(history_columns(run.history())), file_(std::make_unique<AtomicFile>(std::move(file))),
+      last_(run.history().front()) {
     write(csv_head(columns_) + '\n');
     for (const StepReport& report : run.history())
         if (&report != &run.history().front()) add(report);
 }
+
+HistoryFile::~HistoryFile() = default;
 
 void HistoryFile::add(const StepReport& report) {
     write(csv_row(last_, columns_) + '\n');
@@ -43,7 +46,7 @@ void HistoryFile::write(std::string_view text) {
     text_ += text;
     if (text_.size() < at_once) return;
     try {
-        file_.write(text_);
+        file_->write(text_);
     } catch (const MachineError&) {
         failure_ = std::current_exception();
     }
@@ -52,8 +55,8 @@ void HistoryFile::write(std::string_view text) {
 
 void HistoryFile::finish(const Run& run) {
     if (failure_) std::rethrow_exception(failure_);
-    file_.write(text_ + csv_row(run.history().back(), columns_) + '\n');
-    file_.finish();
+    file_->write(text_ + csv_row(run.history().back(), columns_) + '\n');
+    file_->finish();
 }
 
 } // namespace gaspard

@@ -19,7 +19,8 @@ struct PngChunk {
 void append_big_endian(std::string& bytes, std::uint32_t value);
 /// With its length before it and its checksum behind.
 std::string png_chunk(std::string_view type, std::string_view content);
-/// All of a file with these bytes. Throws MachineError, naming `file`, if it is no complete PNG.
+/// All of a file with these bytes. Throws MachineError, naming `file`, if it is no complete PNG, or if a
+/// chunk does not have its checksum.
 std::vector<PngChunk> png_chunks(std::string_view bytes, const std::filesystem::path& file);
 
 } // namespace gaspard

@@ -14,9 +14,6 @@ namespace gaspard GASPARD_API {
 
 class HistoryFile; // core/io/history_file.hpp
 
-/// One row per iterate; what was not measured is empty. The method's further series follow the columns that
-/// every history has, before the note.
-std::string history_csv(const std::vector<StepReport>& history);
 /// Scenario, status, numbers, times, memory; what was not measured is null. "measures" are the method's
 /// further series.
 std::string summary_json(Run& run, std::stop_token stop = {});

@@ -157,9 +157,11 @@ Clock::Clock(Scenario scenario, int moments)
     path_ = parse_path(scenario_.time.text("path"));
     if (!path_.empty()) take_path();
     Values values = scenario_.monitor.values;
-    const int checked = std::min(steps_, moments);
-    for (int i = 0; i <= checked; ++i)
-        move(values, time(static_cast<int>(std::lround(static_cast<double>(i) * steps_ / checked))));
+    const int checked = std::min(moments, steps_ + 1);
+    for (int i = 0; i < checked; ++i) {
+        const double part = i == 0 ? 0 : static_cast<double>(i) / (checked - 1);
+        move(values, time(static_cast<int>(std::lround(part * steps_))));
+    }
 }
 
 Clock::~Clock() = default;

@@ -36,8 +36,9 @@ class Clock {
     static constexpr int usual_moments = 2000;
 
     /// Of a scenario with time (has_time). Throws InputError if a formula or the path is invalid, if there
-    /// are more than most_steps, or if a value is out of its range at one of `moments` times, or of all times
-    /// if there are fewer, which takes about 20 µs for each and each formula.
+    /// are more than most_steps, or if a value is out of its range at one of `moments` times, evenly chosen
+    /// with the first and the last, or of all times if there are fewer. That takes about 20 µs for each and
+    /// each formula. 0: values are not checked. 1: at the first time.
     explicit Clock(Scenario scenario, int moments = usual_moments);
     ~Clock();
 

@@ -6,6 +6,7 @@
 #include "core/layer/layer_pde.hpp"
 #include "core/method/interval_method.hpp"
 #include "core/method/quadrilateral_mesh_pde.hpp"
+#include "core/scenario/time_rows.hpp"
 #include "core/session/interpolation_study.hpp"
 #include "core/session/run.hpp"
 
@@ -129,7 +130,7 @@ bool same_study(const StudyPlan& a, const StudyPlan& b) {
     const Scenario &one = a.scenario, &other = b.scenario;
     return a.over == b.over && a.lines == b.lines && a.measure == b.measure && one.domain == other.domain &&
            one.monitor == other.monitor && one.source == other.source && one.pde == other.pde &&
-           one.method == other.method && one.time == other.time && one.folder == other.folder;
+           one.method == other.method && same_time(one.time, other.time) && one.folder == other.folder;
 }
 
 Scenario study_scenario(const Catalogue& catalogue, const StudyPlan& plan, std::size_t line,

@@ -26,7 +26,7 @@ struct StudyPlan {
     std::size_t line_count() const { return lines.key.empty() ? 1 : lines.values.size(); }
     std::size_t size() const { return line_count() * over.values.size(); }
 };
-/// Whether both compute the same: names and view of the scenario do not count.
+/// Whether both compute the same: names and view of the scenario do not count, nor the speed of its time.
 bool same_study(const StudyPlan& a, const StudyPlan& b);
 
 /// The scenario of one run.

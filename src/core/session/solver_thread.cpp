@@ -17,13 +17,18 @@ constexpr double near = 0.3;         // residual below which a change of values 
 constexpr double longest_wait = 0.1; // seconds
 constexpr double rest = 0.25;        // seconds after the last small change at which a drag is over
 
-/// Whether the run is not to complete a time step before this is done.
-bool ends_time_step(const Command& command) {
-    return std::holds_alternative<PauseCommand>(command) || std::holds_alternative<ResetCommand>(command) ||
-           std::holds_alternative<ChangeCommand>(command);
-}
-
 } // namespace
+
+/// Whether the run is not to complete a time step before this is done. A change that leaves the mesh as it
+/// is, such as one of the view alone, waits for it. Called with the mutex.
+bool SolverThread::ends_time_step(const Command& command) const {
+    const auto* change = std::get_if<ChangeCommand>(&command);
+    if (!change)
+        return std::holds_alternative<PauseCommand>(command) || std::holds_alternative<ResetCommand>(command);
+    const auto& now = status_.scenario;
+    return change->anew || change->reread || !now || !same_problem_data(change->scenario, *now) ||
+           change->scenario.method != now->method;
+}
 
 SolverThread::SolverThread(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, Options options)
     : catalogue_(std::move(catalogue)), scenario_(std::move(scenario)), options_(std::move(options)),
@@ -223,7 +228,8 @@ void SolverThread::make_step(std::stop_token stop, int time_steps) {
     cancellable(stop, [&](const Activity& activity) {
         {
             std::lock_guard lock(mutex_);
-            if (!behind() && std::ranges::any_of(commands_, ends_time_step)) return;
+            const auto ends = [this](const Command& command) { return ends_time_step(command); };
+            if (!behind() && std::ranges::any_of(commands_, ends)) return;
             in_time_step_ = true;
         }
         run_->step(activity.stop, time_steps);

@@ -5,7 +5,8 @@
 // below 1e-2), for at most 0.1 s. All snapshots shown are thus adapted, and only the latest values matter.
 // Until 0.25 s after the last change, they have only the diagnostics that are needed (SolverThread::need).
 //
-// A time step may take long: to pause or reset the run, or to change its values, ends it without effect.
+// A time step may take long: to pause or reset the run, or to change values that the mesh depends on, ends it
+// without effect. Other changes, such as those of the view, are made after it.
 #pragma once
 
 #include "core/base/stopwatch.hpp"
@@ -163,6 +164,7 @@ class SolverThread {
     void record_hidden();
     void step(std::stop_token stop);
     void make_step(std::stop_token stop, int time_steps = 1);
+    bool ends_time_step(const Command& command) const;
     std::deque<Command> take_commands();
     std::deque<Command> wait_for_commands(std::stop_token stop);
 

@@ -260,43 +260,58 @@ FilmLength film_length(const FilmPlan& plan, std::size_t iterates) {
     return length;
 }
 
-Film::Film(FilmPlan plan, const Recording& recording, std::shared_ptr<const Snapshot> last, Values view)
+Film::Film(FilmPlan plan, const Recording& recording, std::shared_ptr<const Snapshot> last, Values view,
+           const Progress& progress, const std::stop_token& stop)
     : plan_(std::move(plan)), recording_(recording),
       iterations_(film_iterations(plan_, film_iterates(recording_))), last_(std::move(last)),
       view_(std::move(view)), length_(film_length(plan_, iterations_.size())) {
     GASPARD_CHECK(last_ != nullptr);
-    if (plan_.motions.time) hold_camera();
-    if (plan_.motions.shows_iterates() && view_.text("range") != "fixed")
-        view_ = with_range(view_, plan_.motions.time
-                                      ? range_of_time()
-                                      : range_of_recording(recording_, last_.get(), colour_choice(view_)));
+    if (plan_.motions.time)
+        fit_to_time(progress, stop);
+    else if (plan_.motions.iterations && view_.text("range") != "fixed")
+        view_ = with_range(view_, range_of_recording(recording_, last_.get(), colour_choice(view_)));
     last_ = iterate(iterations_.back());
 }
 
-/// A mesh that moves in the plane is seen by one camera, so that its frame does not move with it.
-void Film::hold_camera() {
-    const std::string& layout = view_.text("layout");
+/// Whether all meshes are seen by one camera, so that its frame does not move with them: those in the plane.
+bool Film::holds_camera() const {
     const bool whole = view_.text("camera").empty() || shows_all(view_.text("camera"));
-    if (!whole || last_->mesh->space_dimension != 2 || view_.real("elevation") != 0) return;
-    Box box = bounding_box(last_->x);
-    for (const int iteration : iterations_) box = merge(box, bounding_box(iterate(iteration)->x));
-    const Size size = size_of(view_);
-    const bool beside = layout == "side-by-side" || layout == "field-and-mesh";
-    if (layout != "computational") view_.set("camera", format_camera(whole_plane(box, view_, beside), size));
+    return whole && last_->mesh->space_dimension == 2 && view_.real("elevation") == 0 &&
+           view_.text("layout") != "computational";
 }
 
-/// Of all frames; tangled meshes count only where no other is shown.
-std::optional<ColourRange> Film::range_of_time() const {
+/// Which of the iterations the frames show.
+std::vector<bool> Film::shown() const {
+    std::vector<bool> shown(iterations_.size(), false);
+    for (int k = 0; k < length_.frames; ++k) shown[place_in_list(k)] = true;
+    return shown;
+}
+
+/// One range of colours of all frames, in which tangled meshes count only where no other is shown, and one
+/// camera. Each mesh is restored once.
+void Film::fit_to_time(const Progress& progress, const std::stop_token& stop) {
+    const bool with_camera = holds_camera(), automatic = view_.text("range") != "fixed";
+    const std::vector<bool> coloured = automatic ? shown() : std::vector<bool>(iterations_.size(), false);
     const ColourChoice choice = colour_choice(view_);
-    std::optional<ColourRange> range;
-    for (const bool tangled : {false, true}) {
-        for (int k = 0; k < length_.frames && (!tangled || !range); ++k) {
-            if (k > 0 && iteration(k) == iteration(k - 1)) continue;
-            const auto shown = iterate(iteration(k));
-            if ((shown->report.tangled_cells.value_or(0) > 0) == tangled) cover(range, *shown, choice);
-        }
+    Box box = bounding_box(last_->x);
+    std::optional<ColourRange> sound, tangled;
+    for (std::size_t i = 0; i < iterations_.size(); ++i) {
+        if (!with_camera && !coloured[i]) continue;
+        if (stop.stop_requested()) throw Interrupted();
+        if (progress)
+            progress(static_cast<double>(i) / static_cast<double>(iterations_.size()),
+                     "fitting colours and camera");
+        const auto mesh = iterate(iterations_[i]);
+        if (with_camera) box = merge(box, bounding_box(mesh->x));
+        if (!coloured[i]) continue;
+        const bool is_tangled = mesh->report.tangled_cells.value_or(0) > 0;
+        if (!is_tangled || !sound) cover(is_tangled ? tangled : sound, *mesh, choice);
     }
-    return range;
+    view_ = with_range(view_, sound ? sound : tangled);
+    if (!with_camera) return;
+    const std::string& layout = view_.text("layout");
+    const bool beside = layout == "side-by-side" || layout == "field-and-mesh";
+    view_.set("camera", format_camera(whole_plane(box, view_, beside), size_of(view_)));
 }
 
 double Film::place(int frame) const {
@@ -306,12 +321,14 @@ double Film::place(int frame) const {
     return steps > 0 ? static_cast<double>(frame) / steps : 1;
 }
 
+std::size_t Film::place_in_list(int frame) const {
+    return static_cast<std::size_t>(std::lround(place(frame) * static_cast<double>(iterations_.size() - 1)));
+}
+
 int Film::iteration(int frame) const {
     GASPARD_CHECK(frame >= 0 && frame < length_.frames);
     if (!plan_.motions.shows_iterates()) return last_->report.iteration;
-    const auto place_in_list =
-        static_cast<std::size_t>(std::lround(place(frame) * static_cast<double>(iterations_.size() - 1)));
-    return iterations_[place_in_list];
+    return iterations_[place_in_list(frame)];
 }
 
 double Film::moment(int frame) const {

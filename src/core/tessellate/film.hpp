@@ -6,12 +6,14 @@
 // begin, at t = k / n.
 #pragma once
 
+#include "core/mesh/discretisation.hpp"
 #include "core/scenario/scenario.hpp"
 #include "core/session/recording.hpp"
 #include "core/tessellate/colour_map.hpp"
 
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -82,8 +84,11 @@ class Film {
   public:
     /// Of a recording and its last iterate. `view` of view_rows(). An automatic range of colours is the same
     /// in all frames: of iterates range_of_recording(), of time steps one that covers all meshes of the film
-    /// but tangled ones, since none of them is the result. Throws InputError for more than most_film_frames.
-    Film(FilmPlan plan, const Recording& recording, std::shared_ptr<const Snapshot> last, Values view);
+    /// but tangled ones, since none of them is the result, or all if all are tangled. For that, a film of
+    /// time steps looks at each mesh, one after the other. Throws InputError for more than most_film_frames;
+    /// Interrupted.
+    Film(FilmPlan plan, const Recording& recording, std::shared_ptr<const Snapshot> last, Values view,
+         const Progress& progress = {}, const std::stop_token& stop = {});
     int frames() const { return length_.frames; }
     double rate() const { return length_.rate; }
     /// The last frame stays for a second if the film does not end where it begins.
@@ -96,8 +101,10 @@ class Film {
 
   private:
     double place(int frame) const;
-    void hold_camera();
-    std::optional<ColourRange> range_of_time() const;
+    std::size_t place_in_list(int frame) const; ///< in iterations_; of a film of iterates or time steps
+    std::vector<bool> shown() const;
+    bool holds_camera() const;
+    void fit_to_time(const Progress& progress, const std::stop_token& stop);
     std::shared_ptr<const Snapshot> iterate(int iteration) const;
 
     FilmPlan plan_;

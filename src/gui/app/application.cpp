@@ -387,15 +387,15 @@ void Application::keep() {
 void Application::go_on() {
     const auto from = run().recording->with_state(playback_.iteration(run()));
     if (!from) return;
-    const auto kept = document_.go_on_from(run().id, *from);
-    if (!kept) return;
+    const auto back = document_.go_on_from(run().id, *from);
+    if (!back) return;
     playback_.go_to_end();
     const auto time = time_of(from->report());
     const std::string place =
         time ? "t = " + short_number(*time) : "iteration " + std::to_string(from->iteration());
-    messages_.say({"Back at " + place + "; the earlier run is kept as " + document_.runs().find(*kept)->name +
-                       ". Change values, or press Space to go on.",
-                   false});
+    const std::string kept =
+        back->kept ? "; the earlier run is kept as " + document_.runs().find(*back->kept)->name : "";
+    messages_.say({"Back at " + place + kept + ". Change values, or press Space to go on.", false});
 }
 
 void Application::begin_path() {

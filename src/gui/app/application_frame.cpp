@@ -122,7 +122,7 @@ std::optional<int> Application::first_tangled() {
 void Application::go_to_tangled() {
     const int first = first_tangled().value_or(0);
     const bool same = iteration_beside(run(), longest(), first) == first;
-    playback_.go_to(same ? longest() : run(), first);
+    playback_.go_to(same ? longest() : run(), first, &longest());
 }
 
 /// Of the runs whose meshes are shown, the one that ends last.

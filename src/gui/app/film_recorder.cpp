@@ -11,6 +11,7 @@
 #include <map>
 #include <mutex>
 #include <stop_token>
+#include <string_view>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -97,6 +98,7 @@ class FilmRecorder::FilmInWork {
     Image draw(const Film& film, int number, const Gl& gl);
     void want(const Film& film, int number, const Gl& gl);
     void tell(const std::string& what, int number, int count);
+    void show(Progress progress);
 
     const FilmOrder order_;
     const std::shared_ptr<NoticeBoard> board_;
@@ -114,7 +116,11 @@ class FilmRecorder::FilmInWork {
 
 std::string FilmRecorder::FilmInWork::make() {
     try {
-        const Film film(order_.plan, *order_.recording, order_.last, order_.scenario.view);
+        const auto fitting = [this](double done, std::string_view what) {
+            show({"film: " + std::string(what), done});
+        };
+        const Film film(order_.plan, *order_.recording, order_.last, order_.scenario.view, fitting,
+                        stop_.get_token());
         write(film);
         return "Film saved: " + order_.file.string() + ", " + std::to_string(film.frames()) +
                (film.frames() == 1 ? " frame" : " frames");
@@ -228,13 +234,17 @@ void FilmRecorder::FilmInWork::lay_out() {
 }
 
 void FilmRecorder::FilmInWork::tell(const std::string& what, int number, int count) {
+    if (count > 1)
+        show({"film: " + what + " " + std::to_string(number) + " of " + std::to_string(count),
+              static_cast<double>(number - 1) / count});
+    else
+        show({"film: writing " + order_.file.filename().string(), 1});
+}
+
+void FilmRecorder::FilmInWork::show(Progress progress) {
     {
         const std::lock_guard lock(mutex_);
-        if (count > 1)
-            progress_ = {"film: " + what + " " + std::to_string(number) + " of " + std::to_string(count),
-                         static_cast<double>(number - 1) / count};
-        else
-            progress_ = {"film: writing " + order_.file.filename().string(), 1};
+        progress_ = std::move(progress);
     }
     board_->wake();
 }

@@ -216,9 +216,9 @@ void Document::start_from(RunId run, std::shared_ptr<const State> state) {
         .scenario = entry.scenario, .number = entry.changes.asked, .anew = true, .start = std::move(state)});
 }
 
-std::optional<RunId> Document::go_on_from(RunId run, const RecordedIterate& iterate) {
+std::optional<WentBack> Document::go_on_from(RunId run, const RecordedIterate& iterate) {
     DocumentRun& entry = live(run);
-    if (entry.opening) return std::nullopt; // the state is of other values
+    if (entry.opening) return std::nullopt;
     end_gesture();
     const DocumentRun* kept = add_copy(run);
     entry.changes.asked_for_good = ++entry.changes.asked;
@@ -229,7 +229,7 @@ std::optional<RunId> Document::go_on_from(RunId run, const RecordedIterate& iter
                                      .paused = true,
                                      .start = iterate.state(),
                                      .time = time_of(iterate.report())});
-    return kept ? std::optional(kept->id) : std::nullopt;
+    return WentBack{kept ? std::optional(kept->id) : std::nullopt};
 }
 
 void Document::replace(RunId run, const Scenario& scenario) {

@@ -29,6 +29,11 @@ struct FinishedRun {
     std::shared_ptr<const Snapshot> snapshot;
 };
 
+/// What Document::go_on_from() has done.
+struct WentBack {
+    std::optional<RunId> kept; ///< the earlier run; empty if it had no reports yet
+};
+
 /// Bytes of all recordings of a document together.
 constexpr std::size_t recording_memory = std::size_t{512} << 20U;
 
@@ -80,9 +85,9 @@ class Document {
     /// Runs from a state, such as that of a file, without an edit. If it does not fit, the mesh stays.
     void start_from(RunId run, std::shared_ptr<const State> state);
     /// Keeps the run as it is, then goes back to a recorded iterate that has its state, at its time, and
-    /// pauses there. Not an edit: undo would remove what was solved after that iterate. The run that was
-    /// kept, if any.
-    std::optional<RunId> go_on_from(RunId run, const RecordedIterate& iterate);
+    /// pauses there. Not an edit: undo would remove what was solved after that iterate. Empty, and without
+    /// effect, while another scenario is opened, since the state is of other values.
+    std::optional<WentBack> go_on_from(RunId run, const RecordedIterate& iterate);
 
     /// Adds a copy of a run as it is now, with a name of its own. Nothing before the first report.
     std::optional<RunId> keep(RunId run);

@@ -130,12 +130,13 @@ std::shared_ptr<const Snapshot> Playback::snapshot(const DocumentRun& run) {
     return known.snapshot;
 }
 
-void Playback::go_to(const DocumentRun& run, double iteration) {
+void Playback::go_to(const DocumentRun& run, double iteration, const DocumentRun* longest) {
     playing_ = false;
     compares_ = true;
+    const bool ends_last = longest == nullptr || longest->id == run.id;
     const auto first = first_iterate(run);
     const int wanted = static_cast<int>(std::lround(std::clamp(iteration, -1e9, 1e9)));
-    if (!first || wanted >= last_iteration(run)) return show_newest();
+    if (!first || (wanted >= last_iteration(run) && ends_last)) return show_newest();
     const auto before = run.recording->at(wanted);
     if (!before) return show_newest(); // the solver has just begun another recording
     const std::vector<int> kept = run.recording->iterations();

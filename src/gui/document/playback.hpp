@@ -45,7 +45,9 @@ class Playback {
     std::shared_ptr<const Snapshot> snapshot(const DocumentRun& run);
 
     /// Shows the iterate that was recorded nearest to it, and stops playing. The last one is live.
-    void go_to(const DocumentRun& run, double iteration);
+    /// `longest`: a run that is shown beside it; if it is another one, the last one of `run` is not live, but
+    /// a time at which that one stands as well.
+    void go_to(const DocumentRun& run, double iteration, const DocumentRun* longest = nullptr);
     /// To the iterate that was recorded before or after the one that is shown.
     void go_back(const DocumentRun& run);
     void go_forward(const DocumentRun& run);

@@ -22,8 +22,8 @@ void ValuesInTime::follow(const Scenario& scenario) {
     monitor_ = scenario.monitor, time_ = scenario.time;
     clock_.reset(), t_.reset();
     if (!has_time(scenario.time)) return;
-    try { // one time is checked, since this may be done in every frame
-        clock_ = std::make_shared<const Clock>(scenario, 1);
+    try { // without a check of values at other times, since this may be done in every frame
+        clock_ = std::make_shared<const Clock>(scenario, 0);
     } catch (const InputError&) { // the solver says what is wrong
     }
 }

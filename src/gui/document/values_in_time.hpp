@@ -10,8 +10,9 @@ namespace gaspard {
 
 class ValuesInTime {
   public:
-    /// Of the monitor at the time t; null if the scenario has no time, or if its formulas have no valid value
-    /// there. Valid until the next call. Computed anew only for another time or other values.
+    /// Of the monitor at the time t; null if the scenario has no time, if a formula or the path is invalid,
+    /// or if one has no valid value there; at other times it need not have one. Valid until the next call.
+    /// Computed anew only for another time or other values.
     const Values* at(const Scenario& scenario, std::optional<double> t);
 
   private:

@@ -119,6 +119,16 @@ TEST(AtomicFile, DoesNotTouchOtherTemporaryFiles) {
     EXPECT_EQ(folder.content(), (Names{taken, "f"}));
 }
 
+TEST(AtomicFile, WhatKilledProgramsHaveLeftIsRemovedAlone) {
+    const TemporaryFolder folder;
+    const std::string working = ".gaspard-" + std::to_string(getpid()) + "-0.tmp";
+    for (const std::string& name : {std::string(".gaspard-999999999-0.tmp"), working, std::string("f.tmp")})
+        put(folder / name, "x");
+    remove_unfinished(folder.path());
+    EXPECT_EQ(folder.content(), (Names{working, "f.tmp"}));
+    remove_unfinished(folder / "not there");
+}
+
 TEST(AtomicFile, WritersOfTheSameFileDoNotMix) {
     const TemporaryFolder folder;
     write_atomically(folder / "f", std::string(100000, 'a'));

@@ -53,18 +53,22 @@ class FilmWriterTest : public testing::Test {
 
 TEST_F(FilmWriterTest, WhatIsNotWholeIsMadeAgain) {
     EXPECT_EQ(write(false), (std::vector<int>{0, 1, 2, 3, 4}));
-    const std::string whole = read_file(frame(2)), mesh_of_3 = read_file(mesh(3));
+    const std::string whole = read_file(frame(2)), frame_of_3 = read_file(frame(3)),
+                      mesh_of_3 = read_file(mesh(3));
     const auto leave = [](const fs::path& file, const std::string& bytes) {
         std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
     };
     leave(frame(0), "");
     leave(frame(1), std::string(whole.size(), '\0'));    // blocks that were never written
     leave(frame(2), whole.substr(0, whole.size() - 12)); // without IEND
+    const auto middle = whole.find("IDAT") + 6; // within the image data
+    leave(frame(3), std::string(frame_of_3).replace(middle, 4, 4, '\0'));
     leave(mesh(2), "");
     leave(mesh(3), mesh_of_3.substr(0, mesh_of_3.size() / 2));
     const auto untouched = fs::last_write_time(mesh(1));
-    EXPECT_EQ(write(true), (std::vector<int>{0, 1, 2}));
+    EXPECT_EQ(write(true), (std::vector<int>{0, 1, 2, 3}));
     EXPECT_EQ(read_file(frame(2)), whole);
+    EXPECT_EQ(read_file(frame(3)), frame_of_3);
     EXPECT_EQ(read_file(mesh(3)), mesh_of_3);
     EXPECT_FALSE(read_file(mesh(2)).empty());
     EXPECT_EQ(fs::last_write_time(mesh(1)), untouched);

@@ -3,6 +3,7 @@
 #include "core/base/read_file.hpp"
 #include "core/diagnostics/exact_map.hpp"
 #include "core/diagnostics/quality.hpp"
+#include "core/io/history_file.hpp"
 #include "core/io/run_files.hpp"
 #include "core/io/run_folder.hpp"
 #include "core/io/state_file.hpp"

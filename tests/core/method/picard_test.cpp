@@ -1,6 +1,6 @@
 // Picard's and Newton's method on patches: what must hold whatever the mesh.
 #include "core/base/error.hpp"
-#include "core/io/run_files.hpp"
+#include "core/io/history_file.hpp"
 #include "core/method/manufactured.hpp"
 #include "core/method/spline_equation.hpp"
 #include "core/method/spline_map.hpp"

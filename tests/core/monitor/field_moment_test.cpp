@@ -120,6 +120,9 @@ TEST(FieldMoment, NamesTheTimeStepThatCannotBeUsed) {
     EXPECT_EQ(note_of(file_in_time(1, 7), "error"),
               "0.000000 7 of 81 values are missing in time step 1 (the first is 0); allow the nearest or the "
               "lowest to stand in (missing = nearest or floor), at t = 0.25");
+    EXPECT_EQ(note_of(file_in_time(1, 1), "error"),
+              "0.000000 1 of 81 values is missing in time step 1 (the first is 0); allow the nearest or the "
+              "lowest to stand in (missing = nearest or floor), at t = 0.25");
     EXPECT_EQ(note_of(file_in_time(1, 7), "nearest"), "1.500000 ");
 }
 

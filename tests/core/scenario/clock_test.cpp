@@ -57,6 +57,24 @@ TEST_F(ClockTest, StepsEndAtTheEnd) {
     EXPECT_NE(complaint({"time.step=1e-9"}).find("more than 10000000 steps"), std::string::npos);
 }
 
+TEST_F(ClockTest, ChecksAsManyTimesAsItIsToldTo) {
+    const auto allowed = [&](const std::string& radius, int moments) {
+        try {
+            return Clock(moving({"time.monitor.radius=" + radius}), moments).steps() == 4;
+        } catch (const InputError&) {
+            return false;
+        }
+    };
+    const std::string never = "-1", not_at_the_end = "0.4 - t/2", not_in_the_middle = "abs(t - 0.5) - 0.1";
+    EXPECT_TRUE(allowed(never, 0));
+    EXPECT_FALSE(allowed(never, 1));
+    EXPECT_TRUE(allowed(not_at_the_end, 1)) << "at the first time";
+    EXPECT_FALSE(allowed(not_at_the_end, 2)) << "and at the last";
+    EXPECT_TRUE(allowed(not_in_the_middle, 2));
+    EXPECT_FALSE(allowed(not_in_the_middle, 3));
+    EXPECT_FALSE(allowed(not_in_the_middle, 100)) << "there are only five";
+}
+
 TEST_F(ClockTest, ParametersAreFormulasOfTheTime) {
     const Clock moves = clock({"time.monitor.amplitude=amplitude*(1 + t) + radius", "monitor.amplitude=3",
                                "time.monitor.center_x=center_x + 0.75*t"});

@@ -323,6 +323,11 @@ TEST_F(ParameterStudy, TheUsualOnesDependOnWhatDoesNotVary) {
     EXPECT_FALSE(same_study(cells, usual({"monitor.sigma=3"}, "cells")));
     EXPECT_TRUE(same_study(usual({}, "sigma"), usual({"monitor.sigma=3"}, "sigma")));
     EXPECT_FALSE(same_study(usual({}, "sigma"), usual({"domain.cells=9"}, "sigma")));
+    const auto in_time = [&](const char* setting) {
+        return usual({"time.end=1", "time.step=0.1", setting}, "cells");
+    };
+    EXPECT_TRUE(same_study(in_time("time.speed=0"), in_time("time.speed=2"))) << "only the window has a speed";
+    EXPECT_FALSE(same_study(in_time("time.speed=0"), in_time("time.step=0.2")));
     for (const char* name : {"layer-1d-coupled", "layer-1d-convection", "layer-2d", "layer-quadrilateral",
                              "layer-2d-convection"}) {
         const Scenario scenario = find_scenario(*catalogue, name);

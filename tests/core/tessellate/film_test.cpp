@@ -11,7 +11,9 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <optional>
+#include <stop_token>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -174,6 +176,51 @@ TEST(Film, OfTimeTheRangeLeavesOutWhatIsTangled) {
     const Film tangled({.motions = {.time = true}, .first = end - 1, .last = end - 1}, recording, run.last,
                        run.scenario.view);
     EXPECT_GT(tangled.frame(0).view.real("high"), 1000) << "it shows nothing else";
+}
+
+TEST(Film, OfTangledMeshesAloneTheRangeCoversAll) {
+    const Solved run = solved("plane-ring", {"domain.cells=8", "method.type=newton", "time.end=1",
+                                             "time.step=0.25", "time.monitor.center_x=center_x + t/10"});
+    const int end = run.last->report.iteration;
+    Recording recording(std::size_t{1} << 30);
+    for (const int k : run.recording.iterations()) {
+        Snapshot snapshot = *run.recording.at(k)->restore();
+        snapshot.report.tangled_cells = 3;
+        for (Field& field : snapshot.fields)
+            if (field.name == "monitor" && k == end - 1)
+                for (double& value : field.values) value *= 1000;
+        recording.add(snapshot);
+    }
+    const Film film({.motions = {.time = true}, .first = end - 2, .last = end - 1}, recording, run.last,
+                    run.scenario.view);
+    ASSERT_EQ(film.frames(), 2);
+    EXPECT_LT(film.frame(0).view.real("low"), 10) << "of the first one";
+    EXPECT_GT(film.frame(0).view.real("high"), 1000) << "of the second one";
+}
+
+TEST(Film, OfTimeLooksAtEachMeshOnceUntilItIsStopped) {
+    const Solved run = solved("plane-ring", {"domain.cells=8", "method.type=newton", "time.end=1",
+                                             "time.step=0.1", "time.monitor.center_x=center_x + t/10"});
+    std::vector<double> done;
+    std::size_t most = 1000;
+    std::stop_source source;
+    const auto make = [&] {
+        return Film(
+            {.motions = {.time = true}}, run.recording, run.last, run.scenario.view,
+            [&](double part, std::string_view) {
+                done.push_back(part);
+                if (done.size() == most) source.request_stop();
+            },
+            source.get_token());
+    };
+    EXPECT_EQ(make().frames(), 11);
+    ASSERT_EQ(done.size(), 11U) << "for the camera and the colours together";
+    EXPECT_TRUE(std::ranges::is_sorted(done));
+    EXPECT_GE(done.front(), 0);
+    EXPECT_LT(done.back(), 1);
+    done.clear(), most = 3;
+    EXPECT_THROW(make(), Interrupted);
+    EXPECT_EQ(done.size(), 3U);
 }
 
 TEST(Film, GoesToTheAdaptedMeshAndBack) {

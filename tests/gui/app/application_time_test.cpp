@@ -158,6 +158,37 @@ TEST_F(TimeApplicationTest, GoesOnFromTheTimeThatIsShown) {
     EXPECT_EQ(time_of(run().history.back()), 1.0);
 }
 
+TEST_F(TimeApplicationTest, ALongerRunStandsAtTheTimeOfTheFirstTangledMesh) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    application.perform("keep");
+    Scenario shorter = run().scenario;
+    apply_settings(*catalogue, shorter, {"time.end=0.5", "time.step=0.05"});
+    application.document().change(run().id, shorter);
+    application.perform("run-again");
+    ASSERT_TRUE(wait_until([&] {
+        return run().changes.settled() && run().ended() && time_of(run().history.back()) == 0.5 &&
+               time_of(run().history.front()) == 0.0;
+    }));
+    application.perform("runs");
+    Snapshot tangled = *run().snapshot; // as if its last mesh were
+    tangled.report.tangled_cells = 3;
+    run().recording->add(tangled);
+    frame();
+    ASSERT_EQ(application.views().size(), 2U);
+    const auto apart = [&] { // the nodes go with the ring
+        const Points &one = *shown(0).scene.physical, &other = *shown(1).scene.physical;
+        double farthest = 0;
+        for (std::size_t i = 0; i < std::min(one.size(), other.size()); ++i)
+            farthest = std::max(farthest, norm(one[i] - other[i]));
+        return farthest;
+    };
+    EXPECT_GT(apart(), 0.02) << "the newest ones, of t = 0.5 and 1";
+    application.perform("first-tangled");
+    frame();
+    EXPECT_EQ(status_of("Time t"), "0.5");
+    EXPECT_LT(apart(), 0.002) << "both of t = 0.5";
+}
+
 TEST_F(TimeApplicationTest, UndoAfterGoingOnLeavesTheRunThatWasKept) {
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
     Scenario changed = run().scenario;

@@ -43,6 +43,28 @@ TEST_F(DocumentTest, KeepsEveryReportInOrderAndPlotsIt) {
     EXPECT_GT(*iteration_rate(history), 0);
 }
 
+TEST_F(DocumentTest, GoingBackSaysWhetherItDidAndWhatItKept) {
+    document.open(small_ring());
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    const auto from = run().recording->with_state(8);
+    ASSERT_TRUE(from);
+    const auto back = document.go_on_from(run().id, *from);
+    ASSERT_TRUE(back);
+    ASSERT_TRUE(back->kept);
+    EXPECT_EQ(document.runs().find(*back->kept)->history.size(), 41U);
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().history.size() == 1; }));
+    ASSERT_TRUE(solver_is_idle());
+    run().history.clear(); // as before the first report
+    const auto without = document.go_on_from(run().id, *from);
+    ASSERT_TRUE(without) << "it went back";
+    EXPECT_FALSE(without->kept) << "there was nothing to keep";
+    EXPECT_EQ(document.runs().size(), 2U);
+    ASSERT_TRUE(solver_is_idle());
+    document.replace(run().id, small_ring());
+    EXPECT_FALSE(document.go_on_from(run().id, *from)) << "its state is of other values";
+    EXPECT_EQ(document.runs().size(), 2U);
+}
+
 TEST_F(DocumentTest, AChangeContinuesAndAResetStartsOver) {
     document.open(small_ring());
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));

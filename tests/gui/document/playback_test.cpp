@@ -260,6 +260,22 @@ TEST_F(PlaybackInTimeTest, TheRunThatEndsLastIsReplayed) {
     EXPECT_NEAR(shown_time(run()), 1.0, 1e-9);
 }
 
+TEST_F(PlaybackInTimeTest, TheEndOfAShorterRunIsATimeOfTheLongerOne) {
+    open("0.25", "2");
+    const DocumentRun& later = keep();
+    change("0.1", "1");
+    playback.update(run(), later, frame);
+    playback.go_to(run(), last_iteration(run()), &later);
+    playback.update(run(), later, frame);
+    EXPECT_FALSE(playback.live());
+    EXPECT_NEAR(shown_time(run()), 1.0, 1e-9);
+    EXPECT_NEAR(shown_time(later), 1.0, 1e-9);
+    playback.go_forward(later);
+    EXPECT_NEAR(shown_time(later), 1.25, 1e-9);
+    playback.go_to(run(), last_iteration(run()));
+    EXPECT_TRUE(playback.live()) << "alone";
+}
+
 TEST_F(PlaybackInTimeTest, WhileARunGoesOnOthersAreShownAtItsTime) {
     open("0.25", "1");
     const DocumentRun& coarse = keep();

@@ -30,6 +30,13 @@ TEST(ValuesInTime, AreThoseOfTheClock) {
     set({"time.monitor.center_x=center_x + t/5"});
     EXPECT_NEAR(values.at(scenario, 1.0)->real("center_x"), scenario.monitor.values.real("center_x") + 0.2,
                 1e-12);
+    set({"time.monitor.center_x=center_x", "time.monitor.radius=0.5 - 0.2*t"});
+    ASSERT_NE(values.at(scenario, 1.0), nullptr);
+    EXPECT_NEAR(values.at(scenario, 1.0)->real("radius"), 0.3, 1e-12);
+    set({"time.monitor.radius=0.5 - 0.4*t"});
+    EXPECT_EQ(values.at(scenario, 2.0), nullptr) << "it is negative there";
+    ASSERT_NE(values.at(scenario, 1.0), nullptr) << "it is at this time";
+    EXPECT_NEAR(values.at(scenario, 1.0)->real("radius"), 0.1, 1e-12);
     set({"time.monitor.center_x=center_x +"});
     EXPECT_EQ(values.at(scenario, 1.0), nullptr) << "a wrong formula moves nothing";
 }
