@@ -49,6 +49,7 @@ void HistoryFile::write(std::string_view text) {
         file_->write(text_);
     } catch (const MachineError&) {
         failure_ = std::current_exception();
+        file_.reset(); // a full disk has space for the other files again
     }
     text_.clear();
 }

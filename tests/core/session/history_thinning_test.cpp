@@ -1,14 +1,21 @@
 // Long runs in time: what their history keeps, and that nothing else grows or gets lost.
+#include "core/base/error.hpp"
 #include "core/io/history_file.hpp"
 #include "core/scenario/toml.hpp"
 #include "core/session/history_thinning.hpp"
 #include "core/session/time_series.hpp"
 #include "support/temporary_folder.hpp"
 
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <limits>
+#include <memory>
 #include <numeric>
+#include <sys/resource.h>
 
 namespace gaspard {
 namespace {
@@ -72,6 +79,34 @@ TEST(HistoryThinning, IsBoundedHoweverManyAreMarked) {
     }
     EXPECT_GT(history.size(), 16u);
     EXPECT_EQ(history[1].iteration, 1);
+}
+
+/// In a child process: a history larger than files may be, then a small file beside it.
+[[noreturn]] void write_a_history_beyond_the_limit(const std::filesystem::path& folder) {
+    std::signal(SIGXFSZ, SIG_IGN); // as in run_command_line
+    const rlimit limit{100'000, 100'000};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    Scenario scenario = find_scenario(*catalogue, "plane-ring");
+    apply_settings(*catalogue, scenario, {"domain.cells=8", "method.interpolation=false"});
+    gaspard::Run run(catalogue, scenario);
+    HistoryFile file(folder / "history.csv", run);
+    for (int i = 0; i < 5000; ++i) file.add(run.history().front());
+    const auto left = std::filesystem::directory_iterator(folder);
+    std::fputs(left == end(left) ? "nothing is left; " : "a file is left; ", stderr);
+    try {
+        file.finish(run);
+    } catch (const MachineError& error) {
+        std::fputs(error.what(), stderr);
+        std::_Exit(0);
+    }
+    std::_Exit(1);
+}
+
+TEST(HistoryFileDeathTest, LeavesTheDiskToOtherFilesIfItIsFull) {
+    const TemporaryFolder folder;
+    EXPECT_EXIT(write_a_history_beyond_the_limit(folder.path()), testing::ExitedWithCode(0),
+                "nothing is left; cannot write .*/history.csv: File too large");
 }
 
 class LongRunTest : public testing::Test {
