@@ -148,10 +148,12 @@ int record_command(std::shared_ptr<const Catalogue> catalogue, const RecordArgum
         const Film film(
             plan, recording, run.snapshot(), scenario.view,
             [&](double, std::string_view what) { progress->show(std::string(what)); }, stop);
-        const std::string record = film_record(scenario, plan, film.frames());
+        const std::string record = film_record(scenario, plan, film);
         if (arguments.resume && record_in(folder) != record)
-            throw InputError("the film in " + folder.string() +
-                             " has other values, motions, frames or data; leave out --resume to begin anew");
+            throw InputError(
+                "the film in " + folder.string() +
+                " has other values, motions, frames or data; give all options of the time before, or "
+                "leave out --resume to begin anew");
         const FilmFolder begun_folder(folder, record, arguments.resume); // after all checks of the input
         begun = true;
         write_all(film, scenario, folder,

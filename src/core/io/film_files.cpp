@@ -82,20 +82,15 @@ std::vector<std::string> film_file_names() {
     return names;
 }
 
-std::string film_record(const Scenario& scenario, const FilmPlan& plan, int frames) {
+std::string film_record(const Scenario& scenario, const FilmPlan& plan, const Film& film) {
     std::vector<std::string_view> motions;
     for (const FilmMotionRow& row : film_motions())
         if (plan.motions.*row.member) motions.push_back(row.name);
-    nlohmann::ordered_json json{{"scenario", scenario.name},
-                                {"modified", scenario.modified},
-                                {"motions", join(motions, ",")},
-                                {"frames", frames}};
+    nlohmann::ordered_json json{{"scenario", scenario.name},     {"modified", scenario.modified},
+                                {"motions", join(motions, ",")}, {"frames", film.frames()},
+                                {"first", film.iteration(0)},    {"last", film.iteration(film.frames() - 1)}};
     if (has_data_files(scenario)) json["files"] = std::to_string(hash_of_data(scenario));
     if (plan.motions.camera) json["from"] = plan.from, json["to"] = plan.to;
-    if (plan.first) json["first"] = *plan.first;
-    if (plan.last) json["last"] = *plan.last;
-    if (plan.from_time) json["from_time"] = *plan.from_time;
-    if (plan.to_time) json["to_time"] = *plan.to_time;
     json["values"] = to_toml(scenario);
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }

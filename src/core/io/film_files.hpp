@@ -38,7 +38,7 @@ std::vector<std::string> film_file_names();
 
 /// What film.json says: the scenario and all that decides what the frames show, with a hash of the files that
 /// it reads. Equal texts, equal frames. Throws InputError if a file cannot be read.
-std::string film_record(const Scenario& scenario, const FilmPlan& plan, int frames);
+std::string film_record(const Scenario& scenario, const FilmPlan& plan, const Film& film);
 
 /// folder/00012.png
 std::filesystem::path frame_file(const std::filesystem::path& folder, int frame, std::string_view suffix);

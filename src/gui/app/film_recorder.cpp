@@ -147,7 +147,7 @@ void FilmRecorder::FilmInWork::write(const Film& film) {
     check_no_folders(order_.file, names);
     if (const std::string present = first_present(order_.file, names); !order_.replace && !present.empty())
         throw InputError((order_.file / present).string() + " exists already; nothing was written");
-    const FilmFolder folder(order_.file, film_record(order_.scenario, order_.plan, film.frames()), false);
+    const FilmFolder folder(order_.file, film_record(order_.scenario, order_.plan, film), false);
     sequence_begun_ = true;
     write_film(film, order_.file, writing);
 }

@@ -1,5 +1,6 @@
 // What the frames of films show.
 #include "core/base/error.hpp"
+#include "core/io/film_files.hpp"
 #include "core/scenario/toml.hpp"
 #include "core/scenario/view_rows.hpp"
 #include "core/session/run.hpp"
@@ -341,6 +342,19 @@ TEST(Film, OfTimeBeginsWithTheSolvedMesh) {
     EXPECT_EQ(usual_motion(still.scenario), "iterations");
     EXPECT_THROW(parse_film_motions("time,iterations"), InputError);
     EXPECT_TRUE(parse_film_motions("time,turn").time);
+}
+
+/// So that a film goes on whatever its part is called.
+TEST(Film, IsRecordedByItsFramesRatherThanItsOptions) {
+    const Solved run = solved("plane-ring", {"domain.cells=8", "method.type=newton", "time.end=1",
+                                             "time.step=0.25", "time.monitor.center_x=t/10"});
+    const auto record = [&](FilmPlan plan) {
+        plan.motions = {.time = true};
+        return film_record(run.scenario, plan, Film(plan, run.recording, run.last, run.scenario.view));
+    };
+    EXPECT_EQ(record({.from_time = 0, .to_time = 0.5}), record({.to_time = 0.5}));
+    EXPECT_NE(record({.from_time = 0.25, .to_time = 0.5}), record({.to_time = 0.5}));
+    EXPECT_NE(record({.from_time = 0.25, .to_time = 0.5}), record({.to_time = 0.25})) << "as many frames";
 }
 
 TEST(Film, OfTimeIsFromOneTimeToAnother) {

@@ -51,10 +51,14 @@ class FilmFromWindowTest : public FileDialogsTest {
     Image frame_of(const std::string& film, int k) {
         return read_image(frame_file(folder / film / "frames", k, ".png"));
     }
-    /// What `gaspard record` draws: it solves again, and renders every frame by itself.
-    std::vector<Image> recorded_again(const FilmPlan& plan) {
+    Scenario shown_scenario() {
         Scenario scenario = run().scenario;
         scenario.view = look();
+        return scenario;
+    }
+    /// What `gaspard record` films: it solves again.
+    Film film_again(const FilmPlan& plan) {
+        const Scenario scenario = shown_scenario();
         gaspard::Run solve(catalogue, scenario);
         Recording recording(std::size_t{1} << 30);
         recording.add(*solve.snapshot());
@@ -62,7 +66,12 @@ class FilmFromWindowTest : public FileDialogsTest {
             solve.step();
             recording.add(*solve.snapshot());
         }
-        const Film film(plan, recording, solve.snapshot(), scenario.view);
+        return {plan, recording, solve.snapshot(), scenario.view};
+    }
+    /// And draws: every frame by itself.
+    std::vector<Image> recorded_again(const FilmPlan& plan) {
+        const Scenario scenario = shown_scenario();
+        const Film film = film_again(plan);
         std::vector<Image> images;
         for (int k = 0; k < film.frames(); ++k) {
             const FilmFrame frame = film.frame(k);
@@ -81,9 +90,7 @@ TEST_F(FilmFromWindowTest, FramesAreThoseOfTheCommand) {
     for (int k = 0; k < iterates(); ++k)
         EXPECT_EQ(frame_of("ring", k).rgba, expected[static_cast<std::size_t>(k)].rgba) << k;
     EXPECT_NE(frame_of("ring", 0).rgba, frame_of("ring", 3).rgba);
-    Scenario scenario = run().scenario;
-    scenario.view = look();
-    EXPECT_EQ(read_file(folder / "ring" / "film.json"), film_record(scenario, {}, iterates()))
+    EXPECT_EQ(read_file(folder / "ring" / "film.json"), film_record(shown_scenario(), {}, film_again({})))
         << "the command can go on with it";
 }
 
@@ -145,9 +152,8 @@ TEST_F(FilmFromWindowTest, AFilmOfTimeIsChosenByTimes) {
     for (int k = 0; k < 5; ++k)
         EXPECT_EQ(frame_of("part", k).rgba, expected[static_cast<std::size_t>(k)].rgba)
             << "with one range of colours, as of the command: " << k;
-    Scenario scenario = run().scenario;
-    scenario.view = look();
-    EXPECT_EQ(read_file(folder / "part" / "film.json"), film_record(scenario, plan, 5));
+    EXPECT_EQ(read_file(folder / "part" / "film.json"),
+              film_record(shown_scenario(), plan, film_again(plan)));
 }
 
 TEST_F(FilmFromWindowTest, FilesOfTheMesh) {
