@@ -73,7 +73,7 @@ convert -delay 16 -loop 0 "$drawn"/frame*.png -colors 48 +dither -layers optimiz
 echo docs/spline-moebius.gif
 
 # A film of time steps; the ring goes once round the periodic square.
-"$gaspard" record plane-moving-ring --quiet --overwrite --set domain.cells=32 --set time.end=9.6 --set time.step=0.4 \
-  --set view.legend=false --set view.axes=false --set view.caption=false --size 260x260 --formats png --out "$drawn/ring"
-convert -delay 10 -loop 0 "$drawn"/ring/frames/0*.png -colors 24 +dither -layers optimize "$here/docs/moving-ring.gif"
+"$gaspard" record plane-moving-ring --quiet --overwrite --set domain.cells=28 --set time.end=9.6 --set time.step=0.4 \
+  --set view.legend=false --set view.axes=false --set view.caption=false --size 240x240 --rate 10 --formats gif --out "$drawn/ring"
+mv "$drawn/ring/film.gif" "$here/docs/moving-ring.gif"
 echo docs/moving-ring.gif
