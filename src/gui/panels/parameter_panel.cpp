@@ -514,6 +514,18 @@ void ParameterPanel::draw_text(const PanelContext& context, const ParameterRow& 
     values.set(row.key, typed_text_);
 }
 
+/// Another number when values have changed by which a formula that is not applied may become valid.
+std::size_t ParameterPanel::situation_of(const std::string& key, const Scenario& scenario) {
+    if (!formulas_.has_draft(key)) return situation_;
+    const auto alike = [&](const Scenario& one) {
+        return one.domain == scenario.domain && one.monitor == scenario.monitor &&
+               one.source == scenario.source && one.pde == scenario.pde && one.method == scenario.method &&
+               one.time == scenario.time;
+    };
+    if (!checked_for_ || !alike(*checked_for_)) checked_for_ = scenario, ++situation_;
+    return situation_;
+}
+
 /// Below the label, in the whole width.
 void ParameterPanel::draw_formula(const PanelContext& context, const ParameterRow& row,
                                   const std::string& key, Values& values, const Scenario& scenario) {
@@ -521,7 +533,11 @@ void ParameterPanel::draw_formula(const PanelContext& context, const ParameterRo
         return formula_complaint(context.catalogue, scenario, values.section(), row.key, text);
     };
     const std::vector<FormulaWord> words = formula_words(context.catalogue, scenario);
-    const FormulaField::Context field{context.theme, context.items, words, complaint_of};
+    const FormulaField::Context field{.theme = context.theme,
+                                      .items = context.items,
+                                      .words = words,
+                                      .check = complaint_of,
+                                      .situation = situation_of(key, scenario)};
     ImGui::SameLine(0, 0.6F * ImGui::GetFontSize());
     formulas_.draw_help(key, field);
     const auto applied = formulas_.draw(key, values.text(row.key), field);
@@ -537,8 +553,13 @@ void ParameterPanel::draw_motion(const PanelContext& context, const ParameterRow
         return motion_complaint(scenario, row.key, text);
     };
     const std::vector<FormulaWord> no_list;
-    const FormulaField::Context field{context.theme, context.items,    no_list,
-                                      complaint_of,  columns().wide(), 1};
+    const FormulaField::Context field{.theme = context.theme,
+                                      .items = context.items,
+                                      .words = no_list,
+                                      .check = complaint_of,
+                                      .width = columns().wide(),
+                                      .least_lines = 1,
+                                      .situation = situation_of(key, scenario)};
     const auto applied = formulas_.draw(key, values.text(row.key), field);
     if (!applied) return;
     values.set(row.key, *applied);

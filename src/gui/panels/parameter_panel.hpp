@@ -95,6 +95,7 @@ class ParameterPanel {
                       Values& values, const Scenario& scenario);
     void draw_motion(const PanelContext& context, const ParameterRow& row, const std::string& key,
                      Values& values, const Scenario& scenario);
+    std::size_t situation_of(const std::string& key, const Scenario& scenario);
     SliderRange ends_of(const ParameterRow& row, const std::string& key, double value);
     void draw_text(const PanelContext& context, const ParameterRow& row, const std::string& key,
                    Values& values);
@@ -123,6 +124,8 @@ class ParameterPanel {
     };
     std::map<std::string, Widened> widened_; ///< sliders whose ends the row says, by key
     FormulaField formulas_;
+    std::optional<Scenario> checked_for_; ///< what formulas that are not applied were checked for last
+    std::size_t situation_ = 0;           ///< counts its changes
     MonitorList monitors_;
     bool formula_applied_ = false;
     std::optional<FileWish> file_wish_;
