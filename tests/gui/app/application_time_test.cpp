@@ -292,5 +292,52 @@ TEST_F(TimeApplicationTest, APathThatIsDrawnMovesTheMonitor) {
     EXPECT_EQ(application.items().count("handle.center_x"), 1u);
 }
 
+TEST_F(TimeApplicationTest, EscapeOrTheSameKeyLeavesPathDrawing) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    const Scenario before = run().scenario;
+    const auto said = [&] { return application.messages().last().text; };
+    for (const char* key : {"Escape", "Ctrl+M"}) {
+        ASSERT_TRUE(application.press_key("Ctrl+M"));
+        frame(), frame();
+        EXPECT_NE(said(), "");
+        EXPECT_EQ(application.items().count("handle.center_x"), 1u);
+        EXPECT_TRUE(application.press_key(key));
+        frame(), frame();
+        EXPECT_EQ(said(), "") << key;
+        EXPECT_EQ(application.items().count("handle.center_x"), 0u) << key;
+        ASSERT_TRUE(application.press_key("Ctrl+M")); // in the middle of the drag
+        frame(), frame();
+        const ItemRectangle centre = item("handle.center_x");
+        ui.move(centre.left, centre.top);
+        frame();
+        ui.button(true);
+        frame();
+        for (int i = 1; i <= 60; ++i) {
+            ui.move(centre.left + static_cast<float>(i), centre.top);
+            frame();
+            if (i == 30) {
+                EXPECT_TRUE(application.press_key(key));
+            }
+        }
+        ui.button(false);
+        frame(), frame();
+        ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
+        EXPECT_EQ(run().scenario.monitor, before.monitor) << key;
+        EXPECT_EQ(run().scenario.time, before.time) << key;
+    }
+}
+
+TEST_F(TimeApplicationTest, AMovingCentreIsWhereItIsAtTheTimeThatIsShown) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    ASSERT_TRUE(application.press_key("Ctrl+M"));
+    frame(), frame();
+    const float at_end = item("handle.center_x").left;
+    application.perform("to-start");
+    for (int i = 0; i < 3; ++i) frame();
+    const float at_start = item("handle.center_x").left;
+    const double width = static_cast<double>(shown().rectangle.width());
+    EXPECT_GT(at_end - at_start, 0.1 * width) << "a quarter of the square";
+}
+
 } // namespace
 } // namespace gaspard
