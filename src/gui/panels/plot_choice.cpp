@@ -85,13 +85,14 @@ std::string name_of_values(const SeriesInfo& info) {
 
 /// Where the plot has the series by which the run is judged.
 void add_tolerance(const DocumentRun& run, const PlotChoice& choice, PlotView& view) {
-    if (run.history.empty() || !run.scenario.method.values.has("tolerance")) return;
+    if (run.history.empty()) return;
+    const auto tolerance = tolerance_of(run.scenario, run.history.back());
+    if (!tolerance) return;
     const SeriesTable& table = *run.history.back().series;
     if (plot_name(table.all()[table.criterion()]) != choice.plot) return;
-    const double tolerance = run.scenario.method.values.real("tolerance");
     for (const LevelView& level : view.levels)
-        if (level.y == tolerance) return;
-    view.levels.push_back({tolerance, "tolerance " + short_number(tolerance)});
+        if (level.y == *tolerance) return;
+    view.levels.push_back({*tolerance, "tolerance " + short_number(*tolerance)});
 }
 
 PlotView make_view(const DocumentRuns& runs, const PlotChoice& choice, bool in_window, bool earlier) {
