@@ -208,6 +208,18 @@ std::string_view plot_label(const DocumentRuns& runs, std::string_view name) {
     return name;
 }
 
+bool is_blank(const DocumentRuns& runs, const PlotChoice& choice) {
+    if (!choice.log_y) return false;
+    const PlotView view = make_view(runs, choice, false, false);
+    bool blank = false;
+    for (const CurveView& curve : view.curves)
+        for (const double y : curve.y) {
+            if (y > 0) return false;
+            blank = blank || y <= 0; // not where it was not measured
+        }
+    return blank;
+}
+
 bool has_time_steps(const DocumentRuns& runs) {
     return std::any_of(runs.begin(), runs.end(), [](const DocumentRun& run) {
         return !run.hidden && !run.history.empty() && is_time_step(run.history.back());
