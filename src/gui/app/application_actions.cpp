@@ -521,7 +521,8 @@ std::vector<Action> Application::file_actions() {
          .label = "Record film ...",
          .menu = "File",
          .keys = {"Ctrl+Shift+P"},
-         .help = "Make a film of the iterates that were recorded, of a turn, or of the way from ξ to x.",
+         .help = "Make a film of the iterates or time steps that were recorded, of a turn, or of the way "
+                 "from ξ to x.",
          .run = [this] { ask_how_to_film(); },
          .enabled = [this] { return run().snapshot && run().recording && !films_.busy(); },
          .reason =
