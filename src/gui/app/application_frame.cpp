@@ -453,7 +453,8 @@ void Application::draw_status(const FrameContext& context) {
                true);
     ImGui::PopStyleVar();
     if (const auto pressed =
-            draw_playback_bar({&run(), &longest(), runs_shown_beside()}, playback_, actions_, context))
+            draw_playback_bar({&run(), &longest(), runs_shown_beside(), recorded_bytes(document_.runs())},
+                              playback_, actions_, context))
         perform(*pressed);
     ImGui::End();
 }

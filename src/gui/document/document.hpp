@@ -29,9 +29,6 @@ struct FinishedRun {
     std::shared_ptr<const Snapshot> snapshot;
 };
 
-/// Bytes of all recordings of a document together.
-constexpr std::size_t recording_memory = std::size_t{512} << 20U;
-
 /// One view of one run.
 struct DocumentViewport {
     RunId run{};
