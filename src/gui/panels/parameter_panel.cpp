@@ -303,16 +303,32 @@ ParameterPanel::Drawn ParameterPanel::draw_scenario_row(SectionKind kind, const 
                                                         const ParameterRow& row, Scenario& scenario) {
     const Section& opened = section_of(context.opened, kind);
     Section& section = section_of(scenario, kind);
-    const bool by_clock = row.role == ParameterRole::time && has_time(scenario.time);
-    if (by_clock) ImGui::BeginDisabled();
+    if (kind == SectionKind::monitor && row.role == ParameterRole::time && has_time(scenario.time)) {
+        draw_clock_row(context, row, section.values);
+        return Drawn::unchanged;
+    }
     const Values* before =
         opened.type == section.type && has_same_row(opened.values, row) ? &opened.values : nullptr;
     const bool changed = draw_row(context, row, before, section.values, &scenario);
-    if (by_clock) ImGui::EndDisabled();
     if (!changed) return Drawn::unchanged;
     if (!redefines_rows(row)) return Drawn::changed;
     update_typed_rows(context.catalogue, scenario);
     return Drawn::other_rows;
+}
+
+/// A time of the monitor while time passes: that of the mesh that is shown.
+void ParameterPanel::draw_clock_row(const PanelContext& context, const ParameterRow& row,
+                                    const Values& values) {
+    Values now = values;
+    if (context.monitor_now != nullptr && context.monitor_now->has(row.key))
+        now.set(row.key, context.monitor_now->at(row.key));
+    const Values origin = now; // nothing to reset
+    ParameterRow told = row;
+    told.help += std::string(told.help.empty() ? "" : "\n") +
+                 "The time of the mesh that is shown: it goes from Start to End of the section Time.";
+    ImGui::BeginDisabled();
+    draw_row(context, told, &origin, now, nullptr);
+    ImGui::EndDisabled();
 }
 
 /// The heading of a stage: an eye that shows its result, its name, and its switch. True if that was used.

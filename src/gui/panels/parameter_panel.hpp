@@ -82,6 +82,7 @@ class ParameterPanel {
     enum class Drawn { unchanged, changed, other_rows };
     Drawn draw_scenario_row(SectionKind kind, const PanelContext& context, const ParameterRow& row,
                             Scenario& scenario);
+    void draw_clock_row(const PanelContext& context, const ParameterRow& row, const Values& values);
     bool draw_types(SectionKind kind, const PanelContext& context, Scenario& scenario);
     bool draw_stage(const PanelContext& context, const MonitorStage& stage, const ParameterRow* toggle,
                     Values& values);
