@@ -29,6 +29,7 @@ namespace {
 void show_tooltip(const std::string& title, const std::string& help, const std::string& details, float top) {
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos({ImGui::GetWindowPos().x + ImGui::GetWindowWidth() + 0.5F * em, top - 0.6F * em});
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0F); // also that of a row that is disabled
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(24 * em);
     ImGui::TextUnformatted(title.c_str());
@@ -36,6 +37,7 @@ void show_tooltip(const std::string& title, const std::string& help, const std::
     ImGui::TextDisabled("%s", details.c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
+    ImGui::PopStyleVar();
 }
 
 std::string details_of(const ParameterRow& row, const std::string& key) {

@@ -53,6 +53,7 @@ class PanelTest : public testing::Test {
 TEST_F(PanelTest, ATimeOfTheMonitorIsThatOfTheMeshWhileTimePasses) {
     scenario = opened = find_scenario(catalogue, "burgers-1d");
     Values now = scenario.monitor.values;
+    bool plain = false;                  // whether a part of it is as in other rows
     const auto draw_at = [&](double t) { // what is drawn in the row, and the tooltip over its label
         now.set("t", t);
         const PanelContext context{
@@ -60,15 +61,17 @@ TEST_F(PanelTest, ATimeOfTheMonitorIsThatOfTheMeshWhileTimePasses) {
         std::string drawn;
         for (int i = 0; i < 3; ++i)
             ui.frame([&] {
-                items.clear(), drawn.clear();
+                items.clear(), drawn.clear(), plain = false;
                 ImGui::SetNextWindowPos({0, 0});
                 ImGui::SetNextWindowSize({380, 900});
                 ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
                 if (panel.draw_section(SectionKind::monitor, context, scenario)) ++changes;
                 const ItemRectangle row = items.at("monitor.t");
                 for (const ImDrawVert& one : ImGui::GetWindowDrawList()->VtxBuffer)
-                    if (one.pos.y >= row.top && one.pos.y <= row.bottom)
+                    if (one.pos.y >= row.top && one.pos.y <= row.bottom) {
                         drawn.append(reinterpret_cast<const char*>(&one.uv), sizeof(one.uv));
+                        plain = plain || one.col == packed(theme.text);
+                    }
                 ImGui::End();
             });
         return drawn;
@@ -76,6 +79,7 @@ TEST_F(PanelTest, ATimeOfTheMonitorIsThatOfTheMeshWhileTimePasses) {
     const std::string at_start = draw_at(0);
     EXPECT_EQ(draw_at(0), at_start);
     EXPECT_NE(draw_at(0.5), at_start);
+    EXPECT_FALSE(plain) << "it is greyed out";
     EXPECT_FALSE(items.count("monitor.t.reset")) << "there is nothing to go back to";
     const ItemRectangle row = items.at("monitor.t");
     ui.move(row.center_x(), row.center_y());
