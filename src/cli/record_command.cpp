@@ -3,6 +3,7 @@
 #include "cli/interrupt_watch.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/scenario_input.hpp"
+#include "core/base/counted.hpp"
 #include "core/base/error.hpp"
 #include "core/base/read_file.hpp"
 #include "core/base/user_path.hpp"
@@ -160,9 +161,9 @@ int record_command(std::shared_ptr<const Catalogue> catalogue, const RecordArgum
                   {.formats = formats, .nodes = nodes, .resumed = arguments.resume, .stop = stop}, *progress);
         progress.reset(); // its line is free for the outcome
         if (!arguments.quiet)
-            std::printf("%s after %d iterations; %d frames in %s\n",
-                        std::string(status_name(run.status())).c_str(), run.history().back().iteration,
-                        film.frames(), folder.string().c_str());
+            std::printf("%s after %s; %s in %s\n", std::string(status_name(run.status())).c_str(),
+                        counted(run.history().back().iteration, "iteration").c_str(),
+                        counted(film.frames(), "frame").c_str(), folder.string().c_str());
         return 0;
     } catch (const Interrupted&) {
         std::cerr << "gaspard: interrupted"

@@ -3,6 +3,7 @@
 #include "cli/interrupt_watch.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/scenario_input.hpp"
+#include "core/base/counted.hpp"
 #include "core/base/error.hpp"
 #include "core/base/user_path.hpp"
 #include "core/io/atomic_file.hpp"
@@ -122,10 +123,11 @@ void print_outcome(const Run& run, const std::filesystem::path& folder, bool oth
     const StepReport& last = run.history().back();
     const std::string status(status_name(last.status));
     if (const auto time = time_of(last))
-        std::printf("%s at t = %s after %d time steps: residual %.3e, ", status.c_str(),
-                    format_number(*time).c_str(), time_steps(run.history()), last.residual);
+        std::printf("%s at t = %s after %s: residual %.3e, ", status.c_str(), format_number(*time).c_str(),
+                    counted(time_steps(run.history()), "time step").c_str(), last.residual);
     else
-        std::printf("%s after %d iterations: residual %.3e, ", status.c_str(), last.iteration, last.residual);
+        std::printf("%s after %s: residual %.3e, ", status.c_str(),
+                    counted(last.iteration, "iteration").c_str(), last.residual);
     if (const SeriesInfo* criterion = other_criterion(last))
         std::printf("%s %.3e, ", criterion->name.c_str(), last.value(criterion->name).value_or(0));
     if (const auto value = last.value("equidistribution")) // measured only with method.diagnostics=full

@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/base/join.hpp"
 #include "core/io/svg.hpp"
+#include "core/scenario/time_rows.hpp"
 #include "core/session/run.hpp"
 #include "core/tessellate/check_view.hpp"
 
@@ -22,6 +23,17 @@ void with_place_of(const ScenarioSource& source, const Check& check_values) {
     }
 }
 
+/// Where time passes, a time of the monitor is that of the clock.
+void refuse_times(const Scenario& scenario, const std::vector<std::string>& settings) {
+    if (!has_time(scenario.time)) return;
+    for (const std::string& setting : settings)
+        for (const ParameterRow& row : scenario.monitor.values.rows())
+            if (const std::string key = "monitor." + row.key;
+                row.role == ParameterRole::time && setting.starts_with(key + "="))
+                throw InputError(key + " goes from time.start to time.end and cannot be set; with time.end=" +
+                                 format_number(scenario.time.real("start")) + " no time passes");
+}
+
 } // namespace
 
 ScenarioInput load_input(const Catalogue& catalogue, const std::string& name,
@@ -37,6 +49,7 @@ void change_input(const Catalogue& catalogue, ScenarioInput& input,
     apply_settings(catalogue, input.scenario, settings);
     for (const std::string& setting : settings)
         input.source.lines.erase(setting.substr(0, setting.find('=')));
+    refuse_times(input.scenario, settings);
     note_changes(input);
 }
 

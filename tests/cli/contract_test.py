@@ -535,6 +535,20 @@ class Information(Contract):
         for key in ("time.end", "time.rule", "time.path", "time.monitor.KEY"):
             self.assertIn(key, gaspard("list", "time").stdout)
 
+    def test_a_time_of_the_monitor_is_refused_where_time_passes(self):
+        result = gaspard("show", "burgers-1d", "--set", "monitor.t=0.5")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("monitor.t goes from time.start to time.end and cannot be set; with time.end=0 no time passes",
+                      result.stderr)
+        still = gaspard("show", "burgers-1d", "--set", "monitor.t=0.5", "--set", "time.end=0")
+        self.assertEqual((still.returncode, still.stderr), (0, ""))
+
+    def test_one_time_step_is_one(self):
+        result = gaspard("run", "plane-ring", "--set", "method.type=newton", "--set", "domain.cells=8", "--set",
+                         "time.end=0.1", "--set", "time.step=0.1", "--set", "time.monitor.radius=0.25 - t/9",
+                         "--no-render", "--out", os.path.join(self.folder.name, "one"))
+        self.assertIn(" at t = 0.1 after 1 time step: ", result.stdout)
+
     def test_show_writes_a_monitor_as_a_formula(self):
         text = gaspard("show", "plane-bell", "--set", "monitor.amplitude=7", "--as-formula").stdout
         self.assertIn("expression = '1 + amplitude*sech(sharpness*dist(center_x, center_y)^2)^2'", text)

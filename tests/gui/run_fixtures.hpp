@@ -1,10 +1,15 @@
 // Runs that are made up: nothing is solved.
 #pragma once
 
+#include "core/session/series_table.hpp"
+#include "core/session/time_series.hpp"
 #include "gui/document/document.hpp"
 
 #include <cmath>
+#include <limits>
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace gaspard {
 
@@ -27,6 +32,23 @@ inline DocumentRun made_up_run(const std::string& name, int iterations) {
         run.curves.append(report);
     }
     return run;
+}
+
+/// The history of a run that moves in time, each of whose steps the method solves exactly: a start, then
+/// time steps of 0.05.
+inline std::vector<StepReport> made_up_time_steps(int steps) {
+    static const auto table = std::make_shared<const SeriesTable>(
+        SeriesInfo{.name = "residual", .label = "Residual", .scale = ParameterScale::logarithmic},
+        time_series(), std::vector<SeriesInfo>{}, "residual");
+    std::vector<StepReport> history;
+    for (int i = 0; i <= steps; ++i) {
+        StepReport report{.iteration = i, .residual = i > 0 ? 0.0 : 0.1, .series = table};
+        report.values.assign(table->slots(), std::numeric_limits<double>::quiet_NaN());
+        report.set(time_names::time, 0.05 * i);
+        if (i > 0) report.set(time_names::iterations, 1), report.set(time_names::speed, 1.0 / i);
+        history.push_back(report);
+    }
+    return history;
 }
 
 /// Adds such a run to a document.

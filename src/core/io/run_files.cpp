@@ -13,6 +13,7 @@
 #include "core/io/state_file.hpp"
 #include "core/method/spline_map.hpp"
 #include "core/scenario/time_rows.hpp"
+#include "core/session/time_series.hpp"
 
 #include <algorithm>
 #include <exception>
@@ -182,10 +183,6 @@ bool holds_other_values(const std::filesystem::path& folder, const Scenario& sce
     return false;
 }
 
-static std::optional<double> tolerance_of(const Values& method) {
-    return method.has("tolerance") ? std::optional(method.real("tolerance")) : std::nullopt;
-}
-
 void write_run_files(const std::filesystem::path& folder, Run& run, const std::vector<const Format*>& formats,
                      const Progress& progress, std::stop_token stop, HistoryFile* history) {
     run.complete();
@@ -223,7 +220,7 @@ void write_run_files(const std::filesystem::path& folder, Run& run, const std::v
                            run.scenario().output.real("curve_tolerance"),
                            patch_wanted ? patch_of(run) : nullptr,
                            scenario_title(run.scenario()),
-                           tolerance_of(run.scenario().method.values)};
+                           tolerance_of(run.scenario(), run.history().back())};
     if (of_section)
         attempt("section.csv", [&] { write_section_files(folder, *snapshot, run.scenario().view); });
     for (const auto* format : formats) attempt(format->files.front(), [&] { format->write(folder, result); });

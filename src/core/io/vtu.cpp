@@ -8,6 +8,7 @@
 #include "core/io/little_endian.hpp"
 #include "core/io/xml.hpp"
 #include "core/session/report_columns.hpp"
+#include "core/session/time_series.hpp"
 #include "core/tessellate/colouring.hpp"
 
 #include <algorithm>
@@ -107,7 +108,8 @@ void field_data(std::string& text, const StepReport& report) {
     const auto columns = report_columns(always, std::span(&report, 1));
     for (std::size_t i = 0; i < always.size(); ++i) real(columns[i], report.value(columns[i]));
     if (report.tangled_cells) integer("tangled_cells", *report.tangled_cells);
-    for (std::size_t i = always.size(); i < columns.size(); ++i) real(columns[i], report.value(columns[i]));
+    for (std::size_t i = always.size(); i < columns.size(); ++i)
+        if (!is_wall_time(columns[i])) real(columns[i], report.value(columns[i]));
 }
 
 void point_data(std::string& text, const Snapshot& snapshot) {

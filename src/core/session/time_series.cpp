@@ -1,5 +1,6 @@
 #include "core/session/time_series.hpp"
 
+#include "core/scenario/time_rows.hpp"
 #include "core/scenario/view_rows.hpp"
 
 #include <string>
@@ -31,5 +32,15 @@ std::vector<FieldInfo> velocity_fields(int dimension) {
 std::optional<double> time_of(const StepReport& report) { return report.value(time_names::time); }
 
 bool is_time_step(const StepReport& report) { return report.value(time_names::iterations).has_value(); }
+
+bool is_wall_time(std::string_view series) { return series == time_names::monitor; }
+
+std::optional<double> tolerance_of(const Scenario& scenario, const StepReport& newest) {
+    const Values& method = scenario.method.values;
+    if (!method.has("tolerance")) return std::nullopt;
+    if (!is_time_step(newest)) return method.real("tolerance");
+    if (scenario.time.text("rule") != time_rule::tolerance) return std::nullopt;
+    return scenario.time.real_or_auto("tolerance").value_or(method.real("tolerance"));
+}
 
 } // namespace gaspard

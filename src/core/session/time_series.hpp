@@ -1,9 +1,11 @@
 // What is reported of meshes that follow a time, by name: series of a run, fields of its nodes.
 #pragma once
 
+#include "core/scenario/scenario.hpp"
 #include "core/session/snapshot.hpp"
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace gaspard {
@@ -22,5 +24,10 @@ std::vector<FieldInfo> velocity_fields(int dimension);
 std::optional<double> time_of(const StepReport& report);
 /// Whether the iterate is the result of a time step. Others belong to the solve for the first time.
 bool is_time_step(const StepReport& report);
+/// Whether a series is wall time, which differs between runs of the same input: mesh files leave it out.
+bool is_wall_time(std::string_view series);
+/// What the iterates of a run are solved to, of the series by which it is judged: method.tolerance, or that
+/// of a time step. nullopt if the method has none, or if time steps end by another rule (time.rule).
+std::optional<double> tolerance_of(const Scenario& scenario, const StepReport& newest);
 
 } // namespace gaspard

@@ -315,7 +315,7 @@ void Application::set_text_size(double size) {
 bool Application::can_cancel() {
     return ImGui::IsPopupOpen("", any_popup) || messages_.error().open() || file_dialogs_.open() ||
            help_.open() || about_.open() || working() || files_.figure_progress() ||
-           document_.comparison().running() || comparison_panel_.open() ||
+           document_.comparison().running() || comparison_panel_.open() || path_.armed() ||
            !viewport().view.text("pick").empty() || films_.busy();
 }
 
@@ -332,6 +332,8 @@ void Application::cancel() {
         about_.close();
     else if (help_.open())
         help_.close();
+    else if (path_.armed())
+        leave_path();
     else if (document_.comparison().running())
         document_.cancel_comparison();
     else if (working())
@@ -398,9 +400,23 @@ void Application::go_on() {
     messages_.say({"Back at " + place + kept + ". Change values, or press Space to go on.", false});
 }
 
+static constexpr const char* path_hint =
+    "Drag the centre of the monitor along a path, or press Escape to leave it as it is.";
+
 void Application::begin_path() {
     path_.arm();
-    messages_.say({"Drag the centre of the monitor along a path.", false});
+    messages_.say({path_hint, false});
+}
+
+/// Without a path; one that is being drawn is taken back.
+void Application::leave_path() {
+    if (path_.drawing()) {
+        document_.change(run().id, before_path_, true);
+        document_.end_gesture();
+        path_left_ = true;
+    }
+    path_.give_up();
+    if (messages_.last().text == path_hint) messages_.clear();
 }
 
 void Application::move_in_history(bool forward) {

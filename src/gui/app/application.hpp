@@ -188,6 +188,8 @@ class Application {
     void keep();
     void go_on();
     void begin_path();
+    void leave_path();
+    std::vector<Handle> handles_now();
     void move_in_history(bool forward);
     void begin_burst();
     void record_edits();
@@ -240,7 +242,8 @@ class Application {
     ToastPanel toast_;
     Playback playback_;
     PathDrawing path_;
-    Scenario before_path_; ///< what the path that is being drawn began with
+    Scenario before_path_;   ///< what the path that is being drawn began with
+    bool path_left_ = false; ///< in the middle of a drag, whose rest moves nothing
     ReplayRange replay_range_;
     ReplayEnds replay_ends_;
     std::optional<int> before_click_; ///< in a plot: the iteration that was shown; empty: the newest

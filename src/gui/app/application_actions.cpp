@@ -170,7 +170,7 @@ std::vector<Action> Application::solve_actions() {
          .keys = {"Ctrl+M"},
          .help = "Drag the centre of the monitor: its path and speed are recorded, and the mesh follows.",
          .needs_solver = true,
-         .run = [this] { path_.armed() ? path_.give_up() : begin_path(); },
+         .run = [this] { path_.armed() ? leave_path() : begin_path(); },
          .enabled = [this] { return !monitor_handles(run().scenario, true).empty(); },
          .checked = [this] { return path_.armed(); },
          .reason = [] { return "Draw a path: this monitor has no centre that could move."; }},
@@ -521,7 +521,8 @@ std::vector<Action> Application::file_actions() {
          .label = "Record film ...",
          .menu = "File",
          .keys = {"Ctrl+Shift+P"},
-         .help = "Make a film of the iterates that were recorded, of a turn, or of the way from ξ to x.",
+         .help = "Make a film of the iterates or time steps that were recorded, of a turn, or of the way "
+                 "from ξ to x.",
          .run = [this] { ask_how_to_film(); },
          .enabled = [this] { return run().snapshot && run().recording && !films_.busy(); },
          .reason =

@@ -54,23 +54,16 @@ void Application::frame() {
     if (const auto chosen = menus_.draw_bar(menu_context())) follow(*chosen);
     arrange();
     playback_.update(run(), longest(), static_cast<double>(ImGui::GetIO().DeltaTime));
-    const bool with_handles = run().live() && !taking_screenshot_;
-    std::vector<Handle> handles;
-    if (with_handles) {
-        handles = monitor_handles(run().scenario, path_.armed());
-        if (run().snapshot)
-            for (auto& one : domain_handles(run().scenario, *run().snapshot))
-                handles.push_back(std::move(one));
-    }
-    viewport_pane_.offer_handles(std::move(handles));
+    viewport_pane_.offer_handles(handles_now());
     viewport_pane_.offer_cut_handles(!taking_screenshot_);
     draw_viewport(context);
-    if (const auto move = viewport_pane_.take_handle_move()) {
+    if (const auto move = viewport_pane_.take_handle_move(); move && !path_left_) {
         if (!run().status.refused) messages_.clear();
         if (path_.armed() && !path_.drawing()) before_path_ = run().scenario;
         document_.change(run().id, with_handle_at(run().scenario, move->handle, move->place), true);
         path_.add(run().scenario, move->handle.first, ImGui::GetTime());
     }
+    path_left_ = path_left_ && ImGui::IsMouseDown(0);
     if (path_.drawing() && !ImGui::IsMouseDown(0)) take_path();
     if (layout_.sidebar.width() > 0) draw_sidebar();
     if (layout_.plots > 0) draw_plots(context);
@@ -83,6 +76,23 @@ void Application::frame() {
     draw_status(context);
     draw_dialogs();
     record_edits();
+}
+
+/// A monitor that moves has its centre where it is at the time of the mesh that is shown.
+std::vector<Handle> Application::handles_now() {
+    if (!run().live() || taking_screenshot_) return {};
+    const bool moving = path_.armed() || path_left_;
+    std::vector<Handle> handles = monitor_handles(run().scenario, moving);
+    if (moving && !path_.drawing())
+        if (const auto shown = playback_.snapshot(run()))
+            if (const Values* now = values_in_time_.at(run().scenario, time_of(shown->report))) {
+                Scenario then = run().scenario;
+                then.monitor.values = *now;
+                handles = monitor_handles(then, moving);
+            }
+    if (run().snapshot)
+        for (Handle& one : domain_handles(run().scenario, *run().snapshot)) handles.push_back(std::move(one));
+    return handles;
 }
 
 /// The iterates that the playback stands at.
@@ -443,7 +453,8 @@ void Application::draw_status(const FrameContext& context) {
                true);
     ImGui::PopStyleVar();
     if (const auto pressed =
-            draw_playback_bar({&run(), &longest(), runs_shown_beside()}, playback_, actions_, context))
+            draw_playback_bar({&run(), &longest(), runs_shown_beside(), recorded_bytes(document_.runs())},
+                              playback_, actions_, context))
         perform(*pressed);
     ImGui::End();
 }

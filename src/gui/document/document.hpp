@@ -34,9 +34,6 @@ struct WentBack {
     std::optional<RunId> kept; ///< the earlier run; empty if it had no reports yet
 };
 
-/// Bytes of all recordings of a document together.
-constexpr std::size_t recording_memory = std::size_t{512} << 20U;
-
 /// One view of one run.
 struct DocumentViewport {
     RunId run{};

@@ -108,6 +108,12 @@ void append(DocumentRun& run, const Catalogue& catalogue, const SolverEvent& eve
     for (const StepReport& report : run.history) run.curves.append(report);
 }
 
+std::size_t recorded_bytes(const DocumentRuns& runs) {
+    std::size_t bytes = 0;
+    for (const DocumentRun& run : runs) bytes += run.recording ? run.recording->bytes() : 0;
+    return bytes;
+}
+
 std::optional<double> iteration_rate(const std::vector<StepReport>& history) {
     if (history.size() < 2) return std::nullopt;
     const StepReport& last = history.back();

@@ -121,6 +121,11 @@ class DocumentRuns {
     std::list<DocumentRun> runs_;
 };
 
+/// All recordings of a document together may have so many bytes.
+constexpr std::size_t recording_memory = std::size_t{512} << 20U;
+/// They have so many.
+std::size_t recorded_bytes(const DocumentRuns& runs);
+
 constexpr std::size_t most_earlier = 8;
 
 /// Whether two runs can be compared: domain and monitor, and what else says what is solved, are of one kind,

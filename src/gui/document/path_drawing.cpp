@@ -50,6 +50,7 @@ std::optional<Scenario> PathDrawing::finish(const Catalogue& catalogue, const Sc
         scenario.time.set(std::string(moving_prefix) + row->key, std::string());
     scenario.time.set("path", write_path(path));
     scenario.time.set("start", 0.0);
+    scenario.time.set("speed", 1.0); // the units of the path's t are seconds
     scenario.time.set("end", path.back().t);
     scenario.time.set("step", std::max(rounded(path.back().t / steps), 1 / precision));
     update_rows(catalogue, scenario);

@@ -22,7 +22,7 @@ class PathDrawing {
     /// `first`: a key of the point. Other points are left out.
     void add(const Scenario& scenario, const std::string& first, double seconds);
     /// The drag is over. The scenario `before` it with the path as its time, from 0 to the length of the
-    /// drag; nothing if the point did not move for long enough.
+    /// drag, at the speed of the hand; nothing if the point did not move for long enough.
     std::optional<Scenario> finish(const Catalogue& catalogue, const Scenario& before);
 
   private:

@@ -170,8 +170,10 @@ std::optional<std::string> FormulaField::draw(const std::string& key, const std:
     if (text != before) {
         Draft& draft = found == drafts_.end() ? drafts_[key] : found->second;
         if (found == drafts_.end()) draft.over = value;
-        draft.text = text, draft.typed_at = now, draft.unread = true, draft.refused = false;
-        draft.complaint = context.check(in_one_line(text));
+        draft.text = text, draft.typed_at = now, draft.unread = true, draft.refused = draft.freed = false;
+        draft.complaint = context.check(in_one_line(text)), draft.situation = context.situation;
+    } else if (found != drafts_.end()) {
+        check_again(found->second, entered, context);
     }
     std::optional<std::string> applied;
     if (const auto present = drafts_.find(key); present != drafts_.end()) {
@@ -194,6 +196,16 @@ std::optional<std::string> FormulaField::draw(const std::string& key, const std:
     return applied;
 }
 
+/// Other values may have made a wrong formula valid, or the reverse; Enter tries it in any case.
+void FormulaField::check_again(Draft& draft, bool entered, const Context& context) {
+    if (draft.unread) return;
+    const bool waits = (draft.complaint || draft.freed) && !draft.refused;
+    if (!entered && (!waits || draft.situation == context.situation)) return;
+    draft.complaint = context.check(in_one_line(draft.text)), draft.situation = context.situation;
+    draft.freed = !entered && !draft.complaint;
+    if (entered) draft.unread = true, draft.refused = false;
+}
+
 /// A draft goes when its formula is the value, or when the value was changed elsewhere, as by undo.
 void FormulaField::forget_if_done(const std::string& key, const std::string& value, bool active) {
     const auto found = drafts_.find(key);
@@ -201,12 +213,18 @@ void FormulaField::forget_if_done(const std::string& key, const std::string& val
     const Draft& draft = found->second;
     const std::string formula = in_one_line(draft.text);
     const bool taken_back = value != formula && value == draft.over && !draft.applied.empty() &&
-                            !draft.refused && !draft.complaint;
+                            !draft.refused && !draft.freed && !draft.complaint;
     const bool elsewhere = value != formula && value != draft.over && value != draft.applied;
     if (taken_back || elsewhere || (value == formula && !draft.complaint)) drafts_.erase(found);
 }
 
 void FormulaField::draw_complaint(const std::string& key, const Draft& draft, const Context& context) const {
+    if (draft.freed) {
+        ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + line_width());
+        ImGui::TextDisabled("Valid now, not applied yet: press Enter in the field to apply it.");
+        ImGui::PopTextWrapPos();
+        return remember_item(context.items, key + ".valid");
+    }
     if (!draft.complained) return;
     const FormulaComplaint& complaint = *draft.complaint;
     ImGui::BeginGroup();

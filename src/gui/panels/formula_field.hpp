@@ -2,7 +2,9 @@
 // while one types, and a list of functions and variables to insert.
 //
 // A formula is applied by Enter, by a pause in typing, or when the field is left. One that is wrong stays in
-// the field, with the reason, until it is mended or taken back; the value is the last good one meanwhile.
+// the field, with the reason, until it is mended or taken back; the value is the last good one meanwhile. If
+// other values change so that it becomes valid, the reason goes, and Enter applies the formula. It is not
+// applied by itself: an undo that made it valid could then not be redone.
 #pragma once
 
 #include "gui/base/item_rectangles.hpp"
@@ -51,12 +53,14 @@ class FormulaField {
 
     struct Context {
         const Theme& theme;
-        /// Filled with `key`, `key`.help, `key`.complaint and, while the list is open, `key`+WORD.
+        /// Filled with `key`, `key`.help, `key`.complaint or `key`.valid, and, while the list is open,
+        /// `key`+WORD.
         ItemRectangles& items;
         const std::vector<FormulaWord>& words; ///< of the list of draw_help()
         std::function<std::optional<FormulaComplaint>(const std::string&)> check;
-        float width = 0;     ///< 0: as much as there is
-        int least_lines = 2; ///< the field is as high
+        float width = 0;           ///< 0: as much as there is
+        int least_lines = 2;       ///< the field is as high
+        std::size_t situation = 0; ///< another number when `check` may find something else
     };
     /// Draws the field with `value` in it unless another formula is being typed.
     /// Returns the formula that is to be applied.
@@ -84,14 +88,17 @@ class FormulaField {
         double typed_at = 0;
         bool unread = false; ///< typed since it was last applied or found wrong
         std::optional<FormulaComplaint> complaint{};
-        bool complained = false; ///< it is shown: not at once, as most formulas are half typed
-        bool refused = false;    ///< by the solver
+        bool complained = false;   ///< it is shown: not at once, as most formulas are half typed
+        bool refused = false;      ///< by the solver
+        bool freed = false;        ///< it was wrong, and other values have made it valid
+        std::size_t situation = 0; ///< in which it was checked
     };
     struct Cursor {
         int at = -1;                 ///< in bytes; negative: at the end
         std::optional<int> wanted{}; ///< beyond the end: at the end
     };
     bool edit(const std::string& key, std::string& text, bool wrong, float width, const Context& context);
+    static void check_again(Draft& draft, bool entered, const Context& context);
     void draw_complaint(const std::string& key, const Draft& draft, const Context& context) const;
     void forget_if_done(const std::string& key, const std::string& value, bool active);
 

@@ -7,6 +7,7 @@
 #include "core/scenario/time_rows.hpp"
 #include "gui/panels/sections.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace gaspard {
@@ -16,6 +17,25 @@ namespace {
 /// A message without the key that it begins with: the field says which one it is about.
 std::string without_key(const std::string& message, const std::string& key) {
     return message.starts_with(key + ": ") ? message.substr(key.size() + 2) : message;
+}
+
+/// A message in which rows have the labels of the window, not their keys: "Path and Centre x(t) both ...".
+std::string with_labels(const std::string& message, const Scenario& scenario) {
+    const auto in_key = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '.';
+    };
+    std::string text;
+    for (std::size_t i = 0; i < message.size();) {
+        std::size_t end = i;
+        while (end < message.size() && in_key(message[end])) ++end;
+        std::string word = message.substr(i, std::max<std::size_t>(end - i, 1));
+        i += word.size();
+        for (const Values* values : {&scenario.time, &scenario.monitor.values})
+            for (const ParameterRow& row : values->rows())
+                if (word == values->section() + "." + row.key) word = row.label;
+        text += word;
+    }
+    return text;
 }
 
 } // namespace
@@ -56,7 +76,7 @@ std::optional<FormulaComplaint> motion_complaint(const Scenario& scenario, const
     } catch (const ExpressionError& error) {
         return FormulaComplaint{error.what(), error.character()};
     } catch (const InputError& error) {
-        return FormulaComplaint{without_key(error.what(), "time." + row), {}};
+        return FormulaComplaint{with_labels(without_key(error.what(), "time." + row), scenario), {}};
     }
 }
 

@@ -22,7 +22,7 @@ std::optional<FormulaComplaint> formula_complaint(const Catalogue& catalogue, co
 /// Whether the value of a row says how the monitor moves: a formula in t, or a path.
 bool is_motion(const Values& values, const ParameterRow& row);
 /// What is wrong with `text` as the motion of a row of the section "time". Takes some milliseconds: values
-/// are checked at a hundred times, those in between by the solver.
+/// are checked at a hundred times, those in between by the solver. Rows are called by their labels.
 std::optional<FormulaComplaint> motion_complaint(const Scenario& scenario, const std::string& row,
                                                  const std::string& text);
 

@@ -29,6 +29,7 @@ namespace {
 void show_tooltip(const std::string& title, const std::string& help, const std::string& details, float top) {
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos({ImGui::GetWindowPos().x + ImGui::GetWindowWidth() + 0.5F * em, top - 0.6F * em});
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0F); // also that of a row that is disabled
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(24 * em);
     ImGui::TextUnformatted(title.c_str());
@@ -36,6 +37,7 @@ void show_tooltip(const std::string& title, const std::string& help, const std::
     ImGui::TextDisabled("%s", details.c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
+    ImGui::PopStyleVar();
 }
 
 std::string details_of(const ParameterRow& row, const std::string& key) {
@@ -303,16 +305,32 @@ ParameterPanel::Drawn ParameterPanel::draw_scenario_row(SectionKind kind, const 
                                                         const ParameterRow& row, Scenario& scenario) {
     const Section& opened = section_of(context.opened, kind);
     Section& section = section_of(scenario, kind);
-    const bool by_clock = row.role == ParameterRole::time && has_time(scenario.time);
-    if (by_clock) ImGui::BeginDisabled();
+    if (kind == SectionKind::monitor && row.role == ParameterRole::time && has_time(scenario.time)) {
+        draw_clock_row(context, row, section.values);
+        return Drawn::unchanged;
+    }
     const Values* before =
         opened.type == section.type && has_same_row(opened.values, row) ? &opened.values : nullptr;
     const bool changed = draw_row(context, row, before, section.values, &scenario);
-    if (by_clock) ImGui::EndDisabled();
     if (!changed) return Drawn::unchanged;
     if (!redefines_rows(row)) return Drawn::changed;
     update_typed_rows(context.catalogue, scenario);
     return Drawn::other_rows;
+}
+
+/// A time of the monitor while time passes: that of the mesh that is shown.
+void ParameterPanel::draw_clock_row(const PanelContext& context, const ParameterRow& row,
+                                    const Values& values) {
+    Values now = values;
+    if (context.monitor_now != nullptr && context.monitor_now->has(row.key))
+        now.set(row.key, context.monitor_now->at(row.key));
+    const Values origin = now; // nothing to reset
+    ParameterRow told = row;
+    told.help += std::string(told.help.empty() ? "" : "\n") +
+                 "The time of the mesh that is shown: it goes from Start to End of the section Time.";
+    ImGui::BeginDisabled();
+    draw_row(context, told, &origin, now, nullptr);
+    ImGui::EndDisabled();
 }
 
 /// The heading of a stage: an eye that shows its result, its name, and its switch. True if that was used.
@@ -514,6 +532,18 @@ void ParameterPanel::draw_text(const PanelContext& context, const ParameterRow& 
     values.set(row.key, typed_text_);
 }
 
+/// Another number when values have changed by which a formula that is not applied may become valid.
+std::size_t ParameterPanel::situation_of(const std::string& key, const Scenario& scenario) {
+    if (!formulas_.has_draft(key)) return situation_;
+    const auto alike = [&](const Scenario& one) {
+        return one.domain == scenario.domain && one.monitor == scenario.monitor &&
+               one.source == scenario.source && one.pde == scenario.pde && one.method == scenario.method &&
+               one.time == scenario.time;
+    };
+    if (!checked_for_ || !alike(*checked_for_)) checked_for_ = scenario, ++situation_;
+    return situation_;
+}
+
 /// Below the label, in the whole width.
 void ParameterPanel::draw_formula(const PanelContext& context, const ParameterRow& row,
                                   const std::string& key, Values& values, const Scenario& scenario) {
@@ -521,7 +551,11 @@ void ParameterPanel::draw_formula(const PanelContext& context, const ParameterRo
         return formula_complaint(context.catalogue, scenario, values.section(), row.key, text);
     };
     const std::vector<FormulaWord> words = formula_words(context.catalogue, scenario);
-    const FormulaField::Context field{context.theme, context.items, words, complaint_of};
+    const FormulaField::Context field{.theme = context.theme,
+                                      .items = context.items,
+                                      .words = words,
+                                      .check = complaint_of,
+                                      .situation = situation_of(key, scenario)};
     ImGui::SameLine(0, 0.6F * ImGui::GetFontSize());
     formulas_.draw_help(key, field);
     const auto applied = formulas_.draw(key, values.text(row.key), field);
@@ -537,8 +571,13 @@ void ParameterPanel::draw_motion(const PanelContext& context, const ParameterRow
         return motion_complaint(scenario, row.key, text);
     };
     const std::vector<FormulaWord> no_list;
-    const FormulaField::Context field{context.theme, context.items,    no_list,
-                                      complaint_of,  columns().wide(), 1};
+    const FormulaField::Context field{.theme = context.theme,
+                                      .items = context.items,
+                                      .words = no_list,
+                                      .check = complaint_of,
+                                      .width = columns().wide(),
+                                      .least_lines = 1,
+                                      .situation = situation_of(key, scenario)};
     const auto applied = formulas_.draw(key, values.text(row.key), field);
     if (!applied) return;
     values.set(row.key, *applied);

@@ -82,6 +82,7 @@ class ParameterPanel {
     enum class Drawn { unchanged, changed, other_rows };
     Drawn draw_scenario_row(SectionKind kind, const PanelContext& context, const ParameterRow& row,
                             Scenario& scenario);
+    void draw_clock_row(const PanelContext& context, const ParameterRow& row, const Values& values);
     bool draw_types(SectionKind kind, const PanelContext& context, Scenario& scenario);
     bool draw_stage(const PanelContext& context, const MonitorStage& stage, const ParameterRow* toggle,
                     Values& values);
@@ -95,6 +96,7 @@ class ParameterPanel {
                       Values& values, const Scenario& scenario);
     void draw_motion(const PanelContext& context, const ParameterRow& row, const std::string& key,
                      Values& values, const Scenario& scenario);
+    std::size_t situation_of(const std::string& key, const Scenario& scenario);
     SliderRange ends_of(const ParameterRow& row, const std::string& key, double value);
     void draw_text(const PanelContext& context, const ParameterRow& row, const std::string& key,
                    Values& values);
@@ -123,6 +125,8 @@ class ParameterPanel {
     };
     std::map<std::string, Widened> widened_; ///< sliders whose ends the row says, by key
     FormulaField formulas_;
+    std::optional<Scenario> checked_for_; ///< what formulas that are not applied were checked for last
+    std::size_t situation_ = 0;           ///< counts its changes
     MonitorList monitors_;
     bool formula_applied_ = false;
     std::optional<FileWish> file_wish_;

@@ -211,7 +211,8 @@ void draw_rates(Playback& playback, float width, const FrameContext& context) {
 }
 
 /// "14 / 27", as wide whatever the first number is.
-void draw_position(const DocumentRun& run, const Playback& playback, const FrameContext& context) {
+void draw_position(const DocumentRun& run, const Playback& playback, std::size_t recorded,
+                   const FrameContext& context) {
     const int last = last_iteration(run);
     const std::string widest = std::to_string(last) + " / " + std::to_string(last);
     const std::string text = std::to_string(playback.iteration(run)) + " / " + std::to_string(last);
@@ -223,6 +224,8 @@ void draw_position(const DocumentRun& run, const Playback& playback, const Frame
                colour, text);
     ImGui::Dummy({full, ImGui::GetFrameHeight()});
     remember_item(context.items, "playback.position");
+    if (run.recording && ImGui::IsItemHovered())
+        ImGui::SetTooltip("%s", recording_text(run, recorded).c_str());
 }
 
 /// What a narrow bar has no space for. The name of an action that was chosen.
@@ -274,7 +277,7 @@ std::optional<std::string_view> draw_playback_bar(const PlaybackRuns& runs, Play
     rest -= wide ? rates + toggles + 2 * 0.8F * em : square + 0.8F * em;
     draw_scrubber(runs, playback, std::max(3 * em, rest), context);
     ImGui::SameLine(0, 0.8F * em);
-    draw_position(*runs.longest, playback, context);
+    draw_position(*runs.longest, playback, runs.recorded, context);
     ImGui::SameLine(0, 0.8F * em);
     if (!wide) {
         constexpr std::array<std::string_view, 7> more{"step-back", "step",       "to-start",   "to-end",
@@ -289,6 +292,25 @@ std::optional<std::string_view> draw_playback_bar(const PlaybackRuns& runs, Play
     button("blend-loop", Icon::blend);
     button("record-film", Icon::film);
     return pressed;
+}
+
+std::string recording_text(const DocumentRun& run, std::size_t all) {
+    constexpr std::size_t megabyte = std::size_t{1} << 20U;
+    const auto whole = [](std::size_t bytes) { return std::to_string(bytes / megabyte); };
+    std::string text;
+    if (run.recording) {
+        // The recording is ahead of the history while the solver runs.
+        const std::size_t kept = run.recording->iterations().size();
+        const int first = run.history.empty() ? 0 : run.history.front().iteration;
+        const auto made = static_cast<std::size_t>(std::max(0, last_iteration(run) - first) + 1);
+        const int stride = run.recording->stride();
+        text =
+            "Recorded: " + std::to_string(kept) + " of " + std::to_string(std::max(kept, made)) + " iterates";
+        if (stride > 1) text += ", one of every " + std::to_string(stride);
+        text += "\n";
+    }
+    return text + (all < megabyte ? "less than 1" : whole(all)) + " of " + whole(recording_memory) +
+           " MB for all runs";
 }
 
 std::string tangled_text(const std::vector<std::pair<int, int>>& ranges, int last) {

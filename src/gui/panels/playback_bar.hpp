@@ -6,6 +6,7 @@
 #include "gui/base/frame_context.hpp"
 #include "gui/document/playback.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,6 +21,7 @@ struct PlaybackRuns {
     const DocumentRun* active = nullptr;
     const DocumentRun* longest = nullptr;        ///< the bar spans its iterations
     std::vector<const DocumentRun*> beside = {}; ///< shown beside the active one
+    std::size_t recorded = 0;                    ///< bytes of the recordings of all runs
 };
 
 /// Draws the bar into the current ImGui window. Returns the name of the action whose button was pressed; the
@@ -29,6 +31,10 @@ struct PlaybackRuns {
 std::optional<std::string_view> draw_playback_bar(const PlaybackRuns& runs, Playback& playback,
                                                   std::span<const Action> actions,
                                                   const FrameContext& context);
+
+/// What is recorded of a run, and the memory for it: "Recorded: 28 of 28 iterates" and "38 of 512 MB for all
+/// runs". `all`: bytes of the recordings of all runs.
+std::string recording_text(const DocumentRun& run, std::size_t all);
 
 /// "tangled 4–6", "tangled from 4": what the scrubber says of them; empty if there are none.
 std::string tangled_text(const std::vector<std::pair<int, int>>& ranges, int last);

@@ -85,13 +85,14 @@ std::string name_of_values(const SeriesInfo& info) {
 
 /// Where the plot has the series by which the run is judged.
 void add_tolerance(const DocumentRun& run, const PlotChoice& choice, PlotView& view) {
-    if (run.history.empty() || !run.scenario.method.values.has("tolerance")) return;
+    if (run.history.empty()) return;
+    const auto tolerance = tolerance_of(run.scenario, run.history.back());
+    if (!tolerance) return;
     const SeriesTable& table = *run.history.back().series;
     if (plot_name(table.all()[table.criterion()]) != choice.plot) return;
-    const double tolerance = run.scenario.method.values.real("tolerance");
     for (const LevelView& level : view.levels)
-        if (level.y == tolerance) return;
-    view.levels.push_back({tolerance, "tolerance " + short_number(tolerance)});
+        if (level.y == *tolerance) return;
+    view.levels.push_back({*tolerance, "tolerance " + short_number(*tolerance)});
 }
 
 PlotView make_view(const DocumentRuns& runs, const PlotChoice& choice, bool in_window, bool earlier) {
@@ -205,6 +206,18 @@ std::string_view plot_label(const DocumentRuns& runs, std::string_view name) {
     for (const RunPlot& plot : plots_of(runs))
         if (plot.name == name) return plot.label;
     return name;
+}
+
+bool is_blank(const DocumentRuns& runs, const PlotChoice& choice) {
+    if (!choice.log_y) return false;
+    const PlotView view = make_view(runs, choice, false, false);
+    bool blank = false;
+    for (const CurveView& curve : view.curves)
+        for (const double y : curve.y) {
+            if (y > 0) return false;
+            blank = blank || y <= 0; // not where it was not measured
+        }
+    return blank;
 }
 
 bool has_time_steps(const DocumentRuns& runs) {

@@ -43,6 +43,8 @@ std::vector<RunPlot> plots_of(const DocumentRuns& runs);
 /// For people; the name itself where no run has such a plot.
 std::string_view plot_label(const DocumentRuns& runs, std::string_view name);
 
+/// Whether a plot has values, but none that its logarithmic axis can show.
+bool is_blank(const DocumentRuns& runs, const PlotChoice& choice);
 /// Whether a run that is not hidden has made a time step.
 bool has_time_steps(const DocumentRuns& runs);
 /// Those that a plot of this name can have for these runs.

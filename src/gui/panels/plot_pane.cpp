@@ -218,6 +218,7 @@ void PlotPane::suit(const Document& document) {
         if (other != plots.end()) choose(i, with_plot(document.runs(), plots_[i].choice, *other));
     }
     const bool moves = has_time_steps(document.runs());
+    if (!moves) fits_time_ = false;
     if (!std::exchange(moved_, moves) && moves)
         for (Shown& plot : plots_)
             if (plot.choice.abscissa == "iterations") {
@@ -228,6 +229,29 @@ void PlotPane::suit(const Document& document) {
     if (!moves)
         for (Shown& plot : plots_)
             if (plot.choice.abscissa == "time") plot.choice.abscissa = "iterations";
+    if (moves && !fits_time_) suit_time(document.runs());
+}
+
+/// Once there are some time steps, a plot with nothing to show becomes another one: where each is solved by a
+/// formula, the distance to the result is 0, which no logarithmic axis has.
+void PlotPane::suit_time(const DocumentRuns& runs) {
+    constexpr std::ptrdiff_t some = 3;
+    const auto many = [](const DocumentRun& run) {
+        return std::ranges::count_if(run.history, is_time_step) >= some;
+    };
+    if (std::ranges::none_of(runs, many)) return;
+    fits_time_ = true;
+    for (std::size_t i = 0; i < plots_.size(); ++i) {
+        const PlotChoice& choice = plots_[i].choice;
+        if (is_made_elsewhere(choice.plot) || !is_blank(runs, choice)) continue;
+        for (const RunPlot& plot : plots_of(runs)) {
+            const bool usual = plot.name == "equidistribution" || plot.name == "mesh-speed";
+            const PlotChoice other = with_plot(runs, choice, plot);
+            if (!usual || plots_[1 - i].choice.plot == plot.name || is_blank(runs, other)) continue;
+            choose(i, other);
+            break;
+        }
+    }
 }
 
 std::optional<PlotWish> PlotPane::frame(const Document& document, const ItemRectangle& first,

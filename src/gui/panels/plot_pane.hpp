@@ -65,6 +65,7 @@ class PlotPane {
     std::optional<PlotWish> draw_menu(const std::string& name, const Document& document, Shown& plot,
                                       const FrameContext& context);
     void suit(const Document& document);
+    void suit_time(const DocumentRuns& runs);
     /// True when a menu is asked for.
     bool draw_curves(const Document& document, Shown& plot, const Plot& study, const FrameContext& context,
                      const DocumentRun& longest, const StepReport* cursor);
@@ -74,7 +75,8 @@ class PlotPane {
     std::optional<double> pointed_;
     bool double_clicked_ = false;
     bool earlier_ = true;
-    bool moved_ = false; ///< a run had made a time step in the last frame
+    bool moved_ = false;     ///< a run had made a time step in the last frame
+    bool fits_time_ = false; ///< what the plots show was chosen again for the time steps
 };
 
 } // namespace gaspard

@@ -62,23 +62,26 @@ int steps_asked(bool wheel) {
 void draw_field(const ValueField& field, ImVec2 low, ImVec2 high, bool lit, const Theme& theme) {
     const float em = ImGui::GetFontSize(), rounding = ImGui::GetStyle().FrameRounding;
     const float pad = 0.55F * em, top = low.y + ImGui::GetStyle().FramePadding.y;
+    const bool disabled = ImGui::GetStyle().Alpha < 1;
+    const Colour colour = disabled ? theme.faint_text : theme.text;
+    const float strength = disabled ? 0.2F : lit ? 0.55F : 0.42F;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(low, high, packed(theme.frame), rounding);
     if (field.position) {
         const float fill = static_cast<float>(std::clamp(*field.position, 0.0, 1.0)) * (high.x - low.x);
         list.PushClipRect(low, {low.x + std::max(fill, 2.0F), high.y}, true);
-        list.AddRectFilled(low, high, packed(theme.accent, lit ? 0.55F : 0.42F), rounding);
+        list.AddRectFilled(low, high, packed(theme.accent, strength), rounding);
         list.PopClipRect();
     }
     if (field.focused) list.AddRect(low, high, packed(theme.accent), rounding);
     const float value = text_size(field.value).x;
     const float label = high.x - low.x - 3 * pad - value;
     const std::string text = shortened(field.label, std::max(label, 2 * em));
-    write_text(list, {low.x + pad, top}, theme.text, text);
+    write_text(list, {low.x + pad, top}, colour, text);
     const float after = text_size(text).x + 0.5F * em;
     if (!field.symbol.empty() && after + text_size(field.symbol).x < label)
         write_text(list, {low.x + pad + after, top}, theme.faint_text, field.symbol);
-    write_text(list, {high.x - pad - value, top}, theme.text, field.value);
+    write_text(list, {high.x - pad - value, top}, colour, field.value);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "gui/panels/viewport_pane.hpp"
 
+#include "core/base/counted.hpp"
 #include "core/base/error.hpp"
 #include "core/base/short_number.hpp"
 #include "core/session/time_series.hpp"
@@ -90,7 +91,10 @@ std::string title_among_others(const ShownRun& shown) {
         return run.name + ": " + place +
                (tangled > 0 ? ", " + std::to_string(tangled) + " tangled cells" : std::string());
     }
-    std::string text = run.name + ": " + std::to_string(last.iteration) + " iterations, ";
+    std::string text = run.name + ": " +
+                       (is_time_step(last) ? "t = " + short_number(*time_of(last), 5)
+                                           : counted(last.iteration, "iteration")) +
+                       ", ";
     if (last.tangled_cells.value_or(0) > 0 && run.status.run != RunStatus::tangled)
         text += std::to_string(*last.tangled_cells) + " tangled cells, ";
     std::string status(status_name(run.status.run));

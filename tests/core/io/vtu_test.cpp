@@ -3,6 +3,9 @@
 #include "core/base/error.hpp"
 #include "core/base/read_file.hpp"
 #include "core/io/formats.hpp"
+#include "core/scenario/toml.hpp"
+#include "core/session/run.hpp"
+#include "core/session/time_series.hpp"
 #include "core/spline/spline_domain.hpp"
 #include "fixtures/fixture_meshes.hpp"
 #include "support/comma_locale.hpp"
@@ -61,6 +64,28 @@ TEST_P(VtuTest, HoldsTheCellsAsTheyAre) {
     EXPECT_EQ(vtu.cells["types"].type, "UInt8");
     EXPECT_EQ(vtu.cells["types"].bytes,
               std::string(mesh.cell_count(), static_cast<char>(types.at(kind_name(mesh.kind)))));
+}
+
+TEST(Vtu, TheSameInputGivesTheSameFilesOfTimeSteps) {
+    const TemporaryFolder folder;
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    Scenario scenario = find_scenario(*catalogue, "plane-ring");
+    apply_settings(*catalogue, scenario,
+                   {"domain.cells=8", "method.type=newton", "time.end=0.1", "time.step=0.05",
+                    "time.monitor.center_x=center_x + t/4"});
+    const auto bytes = [&](const char* name) {
+        gaspard::Run run(catalogue, scenario);
+        while (run.status() == RunStatus::running) run.step();
+        EXPECT_TRUE(run.history().back().value(time_names::monitor)) << "histories have it";
+        write_vtu(folder / name, *run.snapshot());
+        return read_file(folder / name);
+    };
+    const std::string first = bytes("first.vtu");
+    EXPECT_EQ(first, bytes("second.vtu"));
+    ReadVtu vtu(folder / "first.vtu");
+    EXPECT_TRUE(vtu.field_data.contains("time"));
+    EXPECT_TRUE(vtu.field_data.contains(time_names::iterations));
+    EXPECT_FALSE(vtu.field_data.contains(time_names::monitor));
 }
 
 TEST(Vtu, CellsOfASphereHaveAllTheirMiddleNodes) {

@@ -2,6 +2,7 @@
 #include "core/scenario/time_rows.hpp"
 #include "core/session/time_series.hpp"
 #include "gui/application_fixture.hpp"
+#include "gui/panels/formula_rows.hpp"
 
 #include <algorithm>
 
@@ -114,6 +115,48 @@ TEST_F(TimeApplicationTest, AWrongFormulaStaysInItsFieldAndTheLastValidOneInForc
     application.perform("undo");
     ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
     EXPECT_EQ(formula(), before) << "what is wrong is no edit";
+}
+
+TEST_F(TimeApplicationTest, AComplaintGoesWithItsCause) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    Scenario still = run().scenario;
+    set_value(*catalogue, still, "time.monitor.center_x", std::string());
+    application.document().change(run().id, still);
+    application.document().end_gesture();
+    Scenario on_path = still;
+    set_value(*catalogue, on_path, "time.path", std::string("0 0.5 0.5; 1 0.6 0.5"));
+    application.document().change(run().id, on_path);
+    application.document().end_gesture();
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
+    ImGui::GetIO().DisplaySize.y = 2000;
+    frame(), frame();
+    ui.click(item("time.more"), drawing());
+    for (int i = 0; i < 3; ++i) frame();
+    const std::string key = "time.monitor.center_x", row = "monitor.center_x";
+    const auto has = [&](const std::string& what) { return application.items().contains(key + what); };
+    const auto enter = [&] {
+        ui.key(ImGuiKey_Enter, true);
+        frame();
+        ui.key(ImGuiKey_Enter, false);
+        frame();
+    };
+    replace_text(item(key), "0.5 + 0.1*t");
+    enter();
+    EXPECT_TRUE(has(".complaint"));
+    const auto said = motion_complaint(run().scenario, row, "0.5 + 0.1*t");
+    ASSERT_TRUE(said.has_value());
+    EXPECT_EQ(said->text, "Path and Centre x(t) both move the monitor; leave one empty");
+    application.perform("undo");
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().scenario.time == still.time; }));
+    frame(), frame();
+    EXPECT_FALSE(has(".complaint")) << "the path is gone";
+    EXPECT_TRUE(has(".valid"));
+    EXPECT_TRUE(application.document().edits().can_redo());
+    ui.click(item(key), drawing());
+    enter();
+    EXPECT_EQ(run().scenario.time.text(row), "0.5 + 0.1*t");
+    for (int i = 0; i < 60; ++i) frame();
+    EXPECT_FALSE(has(".valid"));
 }
 
 TEST_F(TimeApplicationTest, AnEndThatIsDraggedTooFarOpensNoDialog) {
@@ -278,6 +321,53 @@ TEST_F(TimeApplicationTest, APathThatIsDrawnMovesTheMonitor) {
     EXPECT_TRUE(application.press_key("Ctrl+M")) << "another path";
     for (int i = 0; i < 3; ++i) frame();
     EXPECT_EQ(application.items().count("handle.center_x"), 1u);
+}
+
+TEST_F(TimeApplicationTest, EscapeOrTheSameKeyLeavesPathDrawing) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    const Scenario before = run().scenario;
+    const auto said = [&] { return application.messages().last().text; };
+    for (const char* key : {"Escape", "Ctrl+M"}) {
+        ASSERT_TRUE(application.press_key("Ctrl+M"));
+        frame(), frame();
+        EXPECT_NE(said(), "");
+        EXPECT_EQ(application.items().count("handle.center_x"), 1u);
+        EXPECT_TRUE(application.press_key(key));
+        frame(), frame();
+        EXPECT_EQ(said(), "") << key;
+        EXPECT_EQ(application.items().count("handle.center_x"), 0u) << key;
+        ASSERT_TRUE(application.press_key("Ctrl+M")); // in the middle of the drag
+        frame(), frame();
+        const ItemRectangle centre = item("handle.center_x");
+        ui.move(centre.left, centre.top);
+        frame();
+        ui.button(true);
+        frame();
+        for (int i = 1; i <= 60; ++i) {
+            ui.move(centre.left + static_cast<float>(i), centre.top);
+            frame();
+            if (i == 30) {
+                EXPECT_TRUE(application.press_key(key));
+            }
+        }
+        ui.button(false);
+        frame(), frame();
+        ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
+        EXPECT_EQ(run().scenario.monitor, before.monitor) << key;
+        EXPECT_EQ(run().scenario.time, before.time) << key;
+    }
+}
+
+TEST_F(TimeApplicationTest, AMovingCentreIsWhereItIsAtTheTimeThatIsShown) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    ASSERT_TRUE(application.press_key("Ctrl+M"));
+    frame(), frame();
+    const float at_end = item("handle.center_x").left;
+    application.perform("to-start");
+    for (int i = 0; i < 3; ++i) frame();
+    const float at_start = item("handle.center_x").left;
+    const double width = static_cast<double>(shown().rectangle.width());
+    EXPECT_GT(at_end - at_start, 0.1 * width) << "a quarter of the square";
 }
 
 } // namespace

@@ -37,6 +37,7 @@ TEST_F(PathDrawingTest, PlacesAndTimesBecomeThePath) {
     EXPECT_NEAR(path.back().t, 1, 1e-9);
     EXPECT_NEAR(path.back().first, 0.7, 1e-9);
     EXPECT_NEAR(moving->time.real("end"), 1, 1e-9);
+    EXPECT_EQ(moving->time.real("speed"), 1) << "a unit of t is a second of the drag";
     EXPECT_EQ(moving->monitor, still.monitor) << "the clock moves the centre";
     EXPECT_NEAR(make_clock(*moving)->at(0.5).monitor.values.real("center_x"), 0.6, 1e-9);
 }

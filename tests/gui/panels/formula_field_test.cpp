@@ -36,12 +36,13 @@ TEST(FormulaText, AFunctionIsInsertedUpToItsParenthesis) {
     EXPECT_EQ(inserted_text({"lat", "", false}), "lat");
 }
 
-/// A field whose formulas must not have the word "bad".
+/// A field whose formulas must not have the word "bad" unless it is known.
 class FormulaFieldTest : public testing::Test {
   protected:
     std::optional<FormulaComplaint> check(const std::string& text) const {
         const auto at = text.find("bad");
-        if (at == std::string::npos) return std::nullopt;
+        ++checks;
+        if (at == std::string::npos || bad_is_known) return std::nullopt;
         return FormulaComplaint{"bad is unknown", at + 1};
     }
     void draw() {
@@ -49,8 +50,11 @@ class FormulaFieldTest : public testing::Test {
         ImGui::SetNextWindowPos({0, 0});
         ImGui::SetNextWindowSize({380, 600});
         ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration);
-        const FormulaField::Context context{theme, items, words,
-                                            [this](const auto& text) { return check(text); }};
+        const FormulaField::Context context{.theme = theme,
+                                            .items = items,
+                                            .words = words,
+                                            .check = [this](const auto& text) { return check(text); },
+                                            .situation = bad_is_known ? 1U : 0U};
         field.draw_help("f", context);
         if (const auto applied = field.draw("f", value, context)) {
             value = *applied;
@@ -84,6 +88,8 @@ class FormulaFieldTest : public testing::Test {
     ItemRectangles items;
     FormulaField field;
     std::string value = "1 + x";
+    bool bad_is_known = false;
+    mutable int checks = 0;
     std::vector<std::string> edits;
     std::vector<FormulaWord> words = {{"lat", "latitude", false}, {"sin(t)", "sine", true}};
 };
@@ -145,6 +151,36 @@ TEST_F(FormulaFieldTest, WhatTheSolverRefusesStaysInTheFieldWithItsReason) {
     frames(2);
     EXPECT_FALSE(items.count("f.complaint"));
     EXPECT_EQ(edits.size(), 1U);
+}
+
+TEST_F(FormulaFieldTest, OtherValuesMakeAFormulaValidAndEnterAppliesIt) {
+    begin();
+    ui.type("1+bad", drawing());
+    rest();
+    ui.click(items.at("elsewhere"), drawing());
+    rest();
+    ASSERT_TRUE(items.count("f.complaint"));
+    const int before = checks;
+    rest();
+    EXPECT_EQ(checks, before) << "it is checked only when something changes";
+    bad_is_known = true;
+    frames(2);
+    EXPECT_FALSE(items.count("f.complaint"));
+    EXPECT_TRUE(items.count("f.valid"));
+    rest();
+    EXPECT_TRUE(edits.empty()) << "an edit made now would end what can be redone";
+    bad_is_known = false;
+    frames(2);
+    EXPECT_TRUE(items.count("f.complaint"));
+    EXPECT_FALSE(items.count("f.valid"));
+    bad_is_known = true;
+    ui.click(items.at("f"), drawing());
+    ui.key(ImGuiKey_Enter, true);
+    frames(1);
+    ui.key(ImGuiKey_Enter, false);
+    rest();
+    EXPECT_EQ(edits, std::vector<std::string>{"1+bad"});
+    EXPECT_FALSE(items.count("f.valid"));
 }
 
 TEST_F(FormulaFieldTest, UndoShowsTheFormulaBefore) {

@@ -50,6 +50,47 @@ class PanelTest : public testing::Test {
     int changes = 0;
 };
 
+TEST_F(PanelTest, ATimeOfTheMonitorIsThatOfTheMeshWhileTimePasses) {
+    scenario = opened = find_scenario(catalogue, "burgers-1d");
+    Values now = scenario.monitor.values;
+    bool plain = false;                  // whether a part of it is as in other rows
+    const auto draw_at = [&](double t) { // what is drawn in the row, and the tooltip over its label
+        now.set("t", t);
+        const PanelContext context{
+            .catalogue = catalogue, .opened = opened, .theme = theme, .items = items, .monitor_now = &now};
+        std::string drawn;
+        for (int i = 0; i < 3; ++i)
+            ui.frame([&] {
+                items.clear(), drawn.clear(), plain = false;
+                ImGui::SetNextWindowPos({0, 0});
+                ImGui::SetNextWindowSize({380, 900});
+                ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+                if (panel.draw_section(SectionKind::monitor, context, scenario)) ++changes;
+                const ItemRectangle row = items.at("monitor.t");
+                for (const ImDrawVert& one : ImGui::GetWindowDrawList()->VtxBuffer)
+                    if (one.pos.y >= row.top && one.pos.y <= row.bottom) {
+                        drawn.append(reinterpret_cast<const char*>(&one.uv), sizeof(one.uv));
+                        plain = plain || one.col == packed(theme.text);
+                    }
+                ImGui::End();
+            });
+        return drawn;
+    };
+    const std::string at_start = draw_at(0);
+    EXPECT_EQ(draw_at(0), at_start);
+    EXPECT_NE(draw_at(0.5), at_start);
+    EXPECT_FALSE(plain) << "it is greyed out";
+    EXPECT_FALSE(items.count("monitor.t.reset")) << "there is nothing to go back to";
+    const ItemRectangle row = items.at("monitor.t");
+    ui.move(row.center_x(), row.center_y());
+    ui.button(true);
+    for (int i = 0; i < 20; ++i)
+        ui.move(row.center_x() + 5.0F * static_cast<float>(i), row.center_y()), draw_at(0.5);
+    ui.button(false);
+    draw_at(0.5);
+    EXPECT_EQ(changes, 0) << "it cannot be dragged";
+}
+
 TEST_F(PanelTest, EveryRowHasItsItem) {
     settle();
     EXPECT_FALSE(items.count("method.tolerance")) << "a detail";

@@ -1,3 +1,5 @@
+#include "core/scenario/time_rows.hpp"
+#include "core/scenario/toml.hpp"
 #include "gui/panels/plot_choice.hpp"
 #include "gui/run_fixtures.hpp"
 
@@ -119,6 +121,23 @@ TEST(ViewOfRuns, ShowsTheToleranceInThePlotOfTheCriterion) {
     runs[1].hidden = true;
     EXPECT_EQ(view_of_runs(runs, {}).levels.size(), 1U);
     EXPECT_EQ(view_of_runs(runs, {}).y.label, "‖r‖ / ‖θ‖");
+}
+
+TEST(ViewOfRuns, ShowsNoToleranceThatTimeStepsAreNotSolvedTo) {
+    DocumentRuns runs;
+    const auto catalogue = builtin_catalogue();
+    DocumentRun& run = runs.push_back({});
+    run.scenario = find_scenario(catalogue, "plane-ring");
+    ASSERT_EQ(run.scenario.time.text("rule"), time_rule::equidistribution);
+    run.history = made_up_time_steps(0);
+    EXPECT_EQ(view_of_runs(runs, {}).levels.size(), 1U) << "the solve for the start";
+    run.history = made_up_time_steps(4);
+    EXPECT_TRUE(view_of_runs(runs, {}).levels.empty());
+    run.scenario.time.set("rule", std::string(time_rule::tolerance));
+    EXPECT_EQ(view_of_runs(runs, {}).levels.size(), 1U);
+    run.scenario.time.set("tolerance", 1e-3);
+    ASSERT_EQ(view_of_runs(runs, {}).levels.size(), 1U);
+    EXPECT_EQ(view_of_runs(runs, {}).levels[0].y, 1e-3);
 }
 
 TEST(PlotOfRuns, HasItsOwnNumbersAndIsThinnedOut) {

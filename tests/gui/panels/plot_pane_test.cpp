@@ -52,6 +52,31 @@ TEST_F(PlotPaneTest, APlotThatNoRunHasBecomesAnotherOne) {
     EXPECT_EQ(pane.choices()[1].plot, "equidistribution");
 }
 
+TEST(PlotPaneInTime, APlotOfZerosOnALogarithmicAxisBecomesAnotherOnce) {
+    Theme theme = dark_theme();
+    HeadlessUi ui{900, 900, &theme};
+    Document document{std::make_shared<Catalogue>(builtin_catalogue()), {}};
+    document.show({.scenario = {}, .history = made_up_time_steps(2), .snapshot = nullptr});
+    PlotPane pane;
+    ItemRectangles items;
+    const auto frame = [&] {
+        ui.frame([&] {
+            pane.frame(document, {400, 0, 900, 450}, {400, 450, 900, 900}, {theme, 1, items},
+                       document.active());
+        });
+        return pane.choices()[0].plot;
+    };
+    EXPECT_EQ(frame(), "residual") << "too early to say";
+    DocumentRun& run = document.active();
+    const StepReport next = made_up_time_steps(3).back();
+    run.history.push_back(next), run.curves.append(next);
+    EXPECT_TRUE(is_blank(document.runs(), pane.choices()[0]));
+    EXPECT_EQ(frame(), "mesh-speed");
+    EXPECT_FALSE(is_blank(document.runs(), pane.choices()[0]));
+    pane.choose(0, {.plot = "residual", .abscissa = "time"});
+    EXPECT_EQ(frame(), "residual") << "whoever wants to see it does";
+}
+
 TEST_F(PlotPaneTest, EveryPlotChoosesWhatItShows) {
     frame(), frame();
     EXPECT_EQ(pane.choices()[0].plot, "residual");
