@@ -400,12 +400,10 @@ void Application::go_on() {
     messages_.say({"Back at " + place + kept + ". Change values, or press Space to go on.", false});
 }
 
-static constexpr const char* path_hint =
-    "Drag the centre of the monitor along a path, or press Escape to leave it as it is.";
-
 void Application::begin_path() {
     path_.arm();
-    messages_.say({path_hint, false});
+    messages_.say(
+        {"Drag the centre of the monitor along a path, or press Escape to leave it as it is.", false});
 }
 
 /// Without a path; one that is being drawn is taken back.
@@ -416,7 +414,6 @@ void Application::leave_path() {
         path_left_ = true;
     }
     path_.give_up();
-    if (messages_.last().text == path_hint) messages_.clear();
 }
 
 void Application::move_in_history(bool forward) {

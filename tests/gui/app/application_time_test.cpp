@@ -324,18 +324,20 @@ TEST_F(TimeApplicationTest, APathThatIsDrawnMovesTheMonitor) {
 }
 
 TEST_F(TimeApplicationTest, EscapeOrTheSameKeyLeavesPathDrawing) {
-    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    Scenario still = run().scenario; // its centre can be dragged in any case
+    set_value(*catalogue, still, "time.end", 0.0);
+    application.document().change(run().id, still);
+    application.document().end_gesture();
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
     const Scenario before = run().scenario;
     const auto said = [&] { return application.messages().last().text; };
     for (const char* key : {"Escape", "Ctrl+M"}) {
         ASSERT_TRUE(application.press_key("Ctrl+M"));
         frame(), frame();
-        EXPECT_NE(said(), "");
-        EXPECT_EQ(application.items().count("handle.center_x"), 1u);
+        EXPECT_NE(said().find("along a path"), std::string::npos);
         EXPECT_TRUE(application.press_key(key));
         frame(), frame();
         EXPECT_EQ(said(), "") << key;
-        EXPECT_EQ(application.items().count("handle.center_x"), 0u) << key;
         ASSERT_TRUE(application.press_key("Ctrl+M")); // in the middle of the drag
         frame(), frame();
         const ItemRectangle centre = item("handle.center_x");
