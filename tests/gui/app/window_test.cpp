@@ -323,7 +323,8 @@ TEST_F(WindowTest, WhatWasChangedIsThereTheNextTime) {
     press("p");
     const auto file = out("slow") / "screenshot.png";
     ASSERT_TRUE(eventually([&] { return std::filesystem::exists(file); })) << text_of(folder / "log");
-    EXPECT_EQ(read_image(file).rgba.front(), 255) << "the corner of a light picture";
+    const Image picture = read_image(file);
+    EXPECT_EQ(picture.rgba[picture.rgba.size() - 4], 255) << "a corner of a light picture, beside the mesh";
 }
 
 TEST_F(WindowTest, SignalsThatEndItSaveTheSettings) {
