@@ -48,16 +48,8 @@ class ApplicationFixture : public testing::Test {
     static Size size_of(const ShownView& scene) {
         return {static_cast<double>(scene.rectangle.width()), static_cast<double>(scene.rectangle.height())};
     }
-    /// Types into a field, instead of what it holds.
     void replace_text(const ItemRectangle& field, const std::string& text) {
-        ui.click(field, drawing());
-        ui.control(true);
-        ui.key(ImGuiKey_A, true);
-        frame();
-        ui.key(ImGuiKey_A, false);
-        ui.control(false);
-        frame();
-        ui.type(text, drawing());
+        ui.replace_text(field, text, drawing());
     }
     /// With the rows under "More", in a window that is high enough for all.
     void show_all_view_rows() {

@@ -50,6 +50,17 @@ class HeadlessUi {
     void wheel(float turns) { ImGui::GetIO().MouseWheel = turns; }
 
     /// Presses and releases at the middle of an item (a copy: every frame notes the items anew).
+    /// Types into a field, instead of what it holds.
+    void replace_text(ItemRectangle field, const std::string& text, const std::function<void()>& draw) {
+        click(field, draw);
+        control(true);
+        key(ImGuiKey_A, true);
+        frame(draw);
+        key(ImGuiKey_A, false);
+        control(false);
+        frame(draw);
+        type(text, draw);
+    }
     void click(ItemRectangle item, const std::function<void()>& draw) {
         move(item.center_x(), item.center_y());
         frame(draw);

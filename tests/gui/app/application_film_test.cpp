@@ -394,8 +394,7 @@ TEST(FilmDialogTest, FilesOfMeshesHaveNoRateAndNoLength) {
     dialog.show({{{0, 1, 2, 3}}, 2, solve.snapshot()->mesh, "", ""}, scenario.view, "/nowhere/film");
     const auto draw = [&] { dialog.draw(items); };
     const auto type = [&](const std::string& field, const std::string& text) {
-        ui.double_click(items.at(field), draw);
-        ui.type(text, draw);
+        ui.replace_text(items.at(field), text, draw);
         ui.key(ImGuiKey_Tab, true), ui.frame(draw), ui.key(ImGuiKey_Tab, false), ui.frame(draw);
     };
     const auto choose = [&](const std::string& format) {
