@@ -51,10 +51,11 @@ void main() {
     vec4 p0 = shown(points.x), p1 = shown(points.y), p2 = shown(points.z), p3 = shown(points.w);
     vec4 c0 = on_screen(p0), c1 = on_screen(p1), c2 = on_screen(p2), c3 = on_screen(p3);
     // The halves 0 1 3 and 2 3 1 of a quadrilateral, or the triangle 0 1 2.
-    vec4 first = far_half ? p2 : p0, second = far_half ? p3 : p1;
-    vec4 third = far_half ? p1 : quadrilaterals ? p3 : p2;
-    vec4 own = corner == 0 ? first : corner == 1 ? second : third;
-    gl_Position = on_screen(own);
+    vec4 own = corner == 0 ? (far_half ? p2 : p0) : corner == 1 ? (far_half ? p3 : p1)
+                                                  : (far_half ? p1 : quadrilaterals ? p3 : p2);
+    vec4 first = far_half ? c2 : c0, second = far_half ? c3 : c1;
+    vec4 third = far_half ? c1 : quadrilaterals ? c3 : c2;
+    gl_Position = corner == 0 ? first : corner == 1 ? second : third;
 
     vec2 scale = clip_to_pixels.xy, o = gl_Position.xy * scale;
     vec2 a = c0.xy * scale, b = c1.xy * scale, c = c2.xy * scale, d = c3.xy * scale;
@@ -97,8 +98,7 @@ void main() {
         place = row(cell_values, int(cell)).r;
     }
     if (logarithm > 0.0) place = log(1.0 + max(place, 0.0) * (exp(logarithm) - 1.0)) / logarithm;
-    vec3 normal = cross((on_screen(second) - on_screen(first)).xyz * clip_to_pixels,
-                        (on_screen(third) - on_screen(first)).xyz * clip_to_pixels);
+    vec3 normal = cross((second - first).xyz * clip_to_pixels, (third - first).xyz * clip_to_pixels);
     float facing = round_cells ? dot(normalize(own.xyz - ball.xyz), viewer)
                                : abs(normal.z) / max(length(normal), 1e-20);
     facing = clamp(facing, 0.0, 1.0);
