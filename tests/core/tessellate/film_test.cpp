@@ -355,6 +355,9 @@ TEST(Film, IsRecordedByItsFramesRatherThanItsOptions) {
     EXPECT_EQ(record({.from_time = 0, .to_time = 0.5}), record({.to_time = 0.5}));
     EXPECT_NE(record({.from_time = 0.25, .to_time = 0.5}), record({.to_time = 0.5}));
     EXPECT_NE(record({.from_time = 0.25, .to_time = 0.5}), record({.to_time = 0.25})) << "as many frames";
+    FilmPlan turn{.frames = 10, .to_time = 0.5}, part = turn;
+    part.from_time = 0.25;
+    EXPECT_NE(record(part), record(turn)) << "with the same last one";
 }
 
 TEST(Film, OfTimeIsFromOneTimeToAnother) {

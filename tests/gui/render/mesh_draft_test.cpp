@@ -25,13 +25,13 @@ class MeshDrafts : public testing::Test {
         return target_.read();
     }
     MeshScene scene(const Snapshot& snapshot, const Values& values) { return maker_.make(snapshot, values); }
-    /// `least`: of the similarity of the part that differs most.
-    void expect_alike(const std::string& what, const MeshScene& scene, double least) {
+    /// `least`: of the similarity of the part that differs most; `most`: of the difference, of 255.
+    void expect_alike(const std::string& what, const MeshScene& scene, double least, double most = 1.3) {
         for (const Theme& theme : {dark_theme(), light_theme()}) {
             const Image full = draw(scene, false, theme), quick = draw(scene, true, theme);
             EXPECT_NE(full.rgba, quick.rgba) << what << ": is no draft";
             const Similarity s = compare(full, quick);
-            EXPECT_LT(s.mean_difference, 1.3) << what << ", " << theme.background.r;
+            EXPECT_LT(s.mean_difference, most) << what << ", " << theme.background.r;
             EXPECT_GT(s.mean_structure, 0.985) << what << ", " << theme.background.r;
             EXPECT_GT(s.worst_structure, least) << what << ", " << theme.background.r;
         }
@@ -63,15 +63,18 @@ TEST_F(MeshDrafts, OfTrianglesAndGlobesLookLikeTheFullImage) {
     expect_alike("a globe of squares", scene(xn_globe(cubed_globe(32, 1), 4), view("area", 1)), 0.95);
 }
 
+/// Also where a part of a cell touches an edge with a corner only: lines have no holes there.
 TEST_F(MeshDrafts, OfCurvedCellsLookLikeTheFullImage) {
     zoom_ = 0.5; // so that their parts are large enough
-    for (const char* colour : {"monitor", "area", "none"})
-        expect_alike(std::string("curved squares, ") + colour,
-                     scene(xn_globe(cubed_globe(12, 2), 4), view(colour, 1)),
-                     0.88); // a cell's half of an edge has the ink for its own colour
-    expect_alike("curved triangles", scene(xn_globe(icosahedral_globe(3, 2), 4), view("monitor", 1)), 0.9);
+    const Snapshot squares = xn_globe(cubed_globe(12, 2), 4);
+    expect_alike("curved squares", scene(squares, view("monitor", 1)), 0.98, 0.25);
+    expect_alike("curved squares without colours", scene(squares, view("none", 1)), 0.98, 0.25);
+    // A cell's half of an edge has the ink for its own colour.
+    expect_alike("one colour for each curved square", scene(squares, view("area", 1)), 0.88, 0.55);
+    expect_alike("curved triangles", scene(xn_globe(icosahedral_globe(3, 2), 4), view("monitor", 1)), 0.98,
+                 0.45);
     expect_alike("curved triangles without colours",
-                 scene(xn_globe(icosahedral_globe(4, 2), 4), view("none", 1)), 0.9);
+                 scene(xn_globe(icosahedral_globe(4, 2), 4), view("none", 1)), 0.98, 0.8);
 }
 
 TEST_F(MeshDrafts, HaveNoLinesIfThereAreNone) {
