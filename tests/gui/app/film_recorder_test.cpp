@@ -9,6 +9,7 @@
 #include <chrono>
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <semaphore>
 #include <string>
 #include <thread>
 #include <vector>
@@ -42,18 +43,20 @@ FilmOrder film_of_time(const std::filesystem::path& file) {
 
 TEST(FilmRecorder, CanBeCancelledBeforeTheFirstFrame) {
     const TemporaryFolder folder;
-    FilmOrder order = film_of_time(folder.path() / "film.csv");
-    FilmRecorder* recorder = nullptr;
+    std::binary_semaphore reached(0), cancelled(0);
     std::atomic<int> calls = 0;
-    std::string what;
     const auto board = std::make_shared<NoticeBoard>([&] {
         if (++calls != 2) return;
-        what = recorder->progress()->what;
-        recorder->cancel(); // while the film's thread looks at the second mesh
+        reached.release(); // the film's thread looks at the second mesh
+        cancelled.acquire();
     });
     FilmRecorder all(board);
-    recorder = &all;
-    all.begin(std::move(order));
+    all.begin(film_of_time(folder.path() / "film.csv"));
+    const bool second = reached.try_acquire_for(10s);
+    const std::string what = all.progress()->what;
+    all.cancel();
+    cancelled.release();
+    ASSERT_TRUE(second);
     for (const auto end = std::chrono::steady_clock::now() + 10s;
          all.busy() && std::chrono::steady_clock::now() < end; std::this_thread::sleep_for(1ms))
         all.work();
