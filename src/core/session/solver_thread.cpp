@@ -1,7 +1,7 @@
 #include "core/session/solver_thread.hpp"
 
 #include "core/base/error.hpp"
-#include "core/base/thread_priority.hpp"
+#include "core/base/this_thread.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -181,6 +181,7 @@ void SolverThread::attempt(const std::function<void()>& work) {
 }
 
 void SolverThread::work(std::stop_token stop) {
+    name_thread("solver");
     lower_priority(options_.nicer);
     try {
         attempt([&] { prepare(stop); });

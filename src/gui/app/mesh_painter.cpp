@@ -1,6 +1,6 @@
 #include "gui/app/mesh_painter.hpp"
 
-#include "core/base/thread_priority.hpp"
+#include "core/base/this_thread.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -135,6 +135,7 @@ void MeshPainter::draw_what_is_wanted(const Gl& gl) {
 }
 
 void MeshPainter::work(OffscreenBackend backend) {
+    name_thread("mesh painter");
     lower_priority(nicer); // and the threads that OpenGL starts for it
     try {
         const auto context = make_offscreen_context(backend);

@@ -1,6 +1,7 @@
 #include "gui/base/background_writer.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/this_thread.hpp"
 
 #include <utility>
 
@@ -28,6 +29,7 @@ void BackgroundWriter::run(std::function<std::string()> task) {
 }
 
 void BackgroundWriter::work(std::stop_token stop) {
+    name_thread("writer");
     while (true) {
         std::unique_lock lock(mutex_);
         wake_.wait(lock, stop, [this] { return !tasks_.empty(); });
