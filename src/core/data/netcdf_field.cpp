@@ -165,14 +165,17 @@ class Slice {
                 file.dimensions()[static_cast<std::size_t>(variable.dimensions[d])].name;
             if (length == 0) throw InputError("'" + variable.name + "' is empty along '" + name + "'");
             const Axis axis = axis_of_dimension(file, variable.dimensions[d]);
-            if (axis == Axis::time && !time_used) {
+            const bool by_level = !level_used && (axis == Axis::z || length > 1);
+            const std::string entries = std::to_string(length) + " entries";
+            if (axis == Axis::time && !time_used)
                 start[d] = find_time(request, length), time_used = true;
-            } else if (!level_used && (axis == Axis::z || length > 1)) {
+            else if (by_level)
                 start[d] = find_index(request.level, length, "level"), level_used = true;
-            } else if (length > 1) {
-                notes.push_back("Of the dimension " + name + " the first of " + std::to_string(length) +
-                                " entries is used.");
-            }
+            else if (length > 1)
+                notes.push_back("Of the dimension " + name + " the first of " + entries + " is used.");
+            if (axis == Axis::unknown && by_level)
+                notes.push_back("The dimension " + name + " is no known axis; of its " + entries +
+                                (request.dimension == 3 ? " the first is used." : " level chooses one."));
         }
         if (!time_used) find_time(request, 1);
         if (!level_used) find_index(request.level, 1, "level");

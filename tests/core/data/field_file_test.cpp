@@ -135,6 +135,19 @@ TEST(FieldFile, InThePlaneALevelOfAFieldInSpaceIsRead) {
         << "its third direction is kept";
 }
 
+TEST(FieldFile, NotesSayWhichEntriesOfUnknownDimensionsAreUsed) {
+    const FieldData plane = read("members.nc", {.level = 1});
+    EXPECT_EQ(grid(plane).values, (std::vector<double>{8, 9, 10, 11}));
+    EXPECT_EQ(plane.notes, (std::vector<std::string>{
+                               "The dimension member is no known axis; of its 3 entries level chooses one.",
+                               "Of the dimension stage the first of 2 entries is used."}));
+    const FieldData solid = read("members.nc", {.dimension = 3});
+    EXPECT_EQ(grid(solid).count(2), 2u);
+    EXPECT_EQ(solid.notes, std::vector<std::string>{
+                               "The dimension member is no known axis; of its 3 entries the first is used."});
+    for (const char* name : {"space.nc", "globe-classic.nc"}) EXPECT_TRUE(read(name).notes.empty()) << name;
+}
+
 TEST(FieldFile, ColumnsOfPointsInSpace) {
     const FieldRequest in_space{.dimension = 3};
     const FieldData named = parse_field("z;y;x;t\n0;1;2;3\n1;0;2;5\n2;2;2;7\n", "it", in_space);
