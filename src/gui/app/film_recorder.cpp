@@ -161,14 +161,19 @@ void FilmRecorder::FilmInWork::write_file(const Film& film, const FilmWriting& w
             throw InputError(order_.file.string() + " is a folder; choose another name");
     };
     check(); // before the long work
-    check_writable(order_.file.parent_path());
-    const WorkFolder folder(order_.file);
-    write_film(film, folder.path(), writing);
-    if (stop_.stop_requested()) throw Interrupted();
-    check(); // it may have come into being meanwhile
-    std::error_code error;
-    fs::rename(folder.path() / order_.format->file, order_.file, error);
-    if (error) throw MachineError("cannot write " + order_.file.string() + ": " + error.message());
+    const std::vector<fs::path> made = check_writable(order_.file.parent_path());
+    try {
+        const WorkFolder folder(order_.file);
+        write_film(film, folder.path(), writing);
+        if (stop_.stop_requested()) throw Interrupted();
+        check(); // it may have come into being meanwhile
+        std::error_code error;
+        fs::rename(folder.path() / order_.format->file, order_.file, error);
+        if (error) throw MachineError("cannot write " + order_.file.string() + ": " + error.message());
+    } catch (...) {
+        remove_empty(made);
+        throw;
+    }
 }
 
 Image FilmRecorder::FilmInWork::draw(const Film& film, int number, const Gl& gl) {

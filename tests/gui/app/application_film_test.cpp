@@ -268,7 +268,7 @@ TEST_F(FilmFromWindowTest, TheWindowGoesOnAndTheFilmIsThatOfItsBeginning) {
 TEST_F(FilmFromWindowTest, ACancelledFileIsNotThere) {
     click("action.record-film");
     fill("film.seconds", "60");
-    begin("apng", "long");
+    begin("apng", "deep/long"); // in a folder that is not there yet
     ASSERT_TRUE(wait_until([&] { return shows("film-progress.cancel"); }));
     click("film-progress.cancel");
     ASSERT_TRUE(says("Film cancelled; no file was written")) << said();
