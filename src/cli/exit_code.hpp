@@ -19,6 +19,8 @@ inline int exit_code(RunStatus status) {
         return 4;
     case RunStatus::stalled:
         return 5;
+    case RunStatus::invalid_input:
+        return exit_input;
     case RunStatus::interrupted:
         return 130;
     case RunStatus::preparing:

@@ -176,6 +176,17 @@ class Runs(Contract):
                                         "monitor.amplitude=2", "--set", "monitor.sharpness=20").returncode, 5)
         self.assertEqual(self.summary()["status"], "stalled")
 
+    def test_a_monitor_that_cannot_be_made_later_keeps_the_results_before(self):
+        result = self.run_quick("--set", "time.end=0.1", "--set", "monitor.type=formula",
+                                "--set", "monitor.expression=1 + (t > 0.05 ? log(x - 0.3) : 0)")
+        self.assertEqual(result.returncode, 2, result.stderr)
+        summary = self.summary()
+        self.assertEqual(summary["status"], "invalid-input")
+        with open(os.path.join(self.out, "history.csv")) as file:
+            self.assertEqual(float(list(csv.DictReader(file))[-1]["time"]), 0.04)
+        self.assertIn("at t = 0.06", summary["note"])
+        self.assertTrue(self.bytes("adapted.obj"))
+
     def start(self, *settings, **options):
         """A run in the background, once it blocks signals and has computed for half a second."""
         process = subprocess.Popen([PROGRAM, "run", "plane-ring", "--out", self.out, "--no-render", "--set",

@@ -308,6 +308,19 @@ static void add_notes(ProblemData& data, const std::vector<std::string>& notes) 
     data.report = std::make_shared<const MonitorReport>(std::move(report));
 }
 
+/// About values of time that have no effect.
+static std::vector<std::string> notes_on_time(const Scenario& scenario) {
+    const Values& time = scenario.time;
+    const bool follows = find_role(scenario.monitor.values.rows(), ParameterRole::time) != nullptr;
+    if (has_time(time) && !has_motion(time) && !follows)
+        return {"Time passes, but the monitor does not move: time.path and the formulas time.monitor.* are "
+                "empty."};
+    if (!has_time(time) && has_motion(time))
+        return {"The monitor does not move: time.end is not after time.start."};
+    if (time.real("end") < time.real("start")) return {"No time passes: time.end is before time.start."};
+    return {};
+}
+
 ProblemData make_problem_data(const Catalogue& catalogue, const Scenario& scenario,
                               std::shared_ptr<const Monitor> own, const MonitorContext& context) {
     MonitorContext on_target = context, on_source = context;
@@ -315,6 +328,7 @@ ProblemData make_problem_data(const Catalogue& catalogue, const Scenario& scenar
         on_target.within = context.discretisation->target_region();
         on_source.within = context.discretisation->source_region();
     }
+    const bool moved_by_caller = own != nullptr;
     const bool has_box = !on_target.within && !catalogue.domain(scenario.domain.type).spline_patch;
     const auto in_its_unit = [&](std::shared_ptr<const Monitor> monitor) {
         ProblemData plain = scalar_problem(monitor);
@@ -348,8 +362,7 @@ ProblemData make_problem_data(const Catalogue& catalogue, const Scenario& scenar
         add_notes(data, notes);
     }
     if (context.discretisation) add_notes(data, context.discretisation->notes());
-    if (!has_time(scenario.time) && has_motion(scenario.time))
-        add_notes(data, {"The monitor does not move: time.end is not after time.start."});
+    if (!moved_by_caller) add_notes(data, notes_on_time(scenario));
     if (!scenario.pde.type.empty()) {
         data.pde_type = scenario.pde.type;
         data.pde = std::make_shared<const Values>(scenario.pde.values);

@@ -262,6 +262,7 @@ const StepReport& Run::step(std::stop_token stop, int time_steps) {
         if (!std::isfinite(evaluation.residual)) take_back(evaluation, note);
         StepReport next = report(now_, evaluation, history_.back().iteration + 1, std::move(note));
         timer.add_to(next, history_.back(), now_);
+        next.all_iterations = history_.back().all_iterations + 1;
         history_.push_back(std::move(next));
         now_.data.stop = {};
     } catch (...) { // undo the incomplete step

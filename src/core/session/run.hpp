@@ -206,10 +206,11 @@ class Run {
     static bool arrives(const Course& course, const StepReport& report);
     static void arrive(Course& course, StepReport& report);
     static void add_time(const Course& course, StepReport& report);
-    const StepReport& advance(std::stop_token stop, int time_steps, bool again = false);
+    struct FirstAttempt;
+    const StepReport& advance(std::stop_token stop, int time_steps, const FirstAttempt* first = nullptr);
     StepReport report_step(Course& next, const StepMesh& mesh, int iteration, int time_steps) const;
     void end_time(const Course& course, StepReport& report) const;
-    const StepReport& give_up_time(const std::string& note, const Timer& timer);
+    const StepReport& give_up_time(RunStatus status, const std::string& note, const Timer& timer);
     void find_exact(Course& course) const;
     static void add_velocity(const Course& course, Snapshot& snapshot);
 

@@ -158,19 +158,20 @@ void Run::end_time(const Course& course, StepReport& report) const {
 }
 
 /// The run ends at the time before, after a step that cannot be made.
-const StepReport& Run::give_up_time(const std::string& note, const Timer& timer) {
+const StepReport& Run::give_up_time(RunStatus status, const std::string& note, const Timer& timer) {
     const Evaluation evaluation = now_.method->evaluate(now_.data, now_.state, {});
     stale_ = false;
     now_.measured.reset();
     StepReport report{.iteration = history_.back().iteration + 1,
                       .residual = evaluation.residual,
-                      .status = RunStatus::diverged,
+                      .status = status,
                       .note = note,
                       .series = now_.series};
     take_series(now_, evaluation.series, report);
     add_time(now_, report);
     measure(now_, report, Diagnostics::full);
     timer.add_to(report, history_.back(), now_);
+    report.all_iterations = history_.back().all_iterations;
     history_.push_back(std::move(report));
     ++version_;
     return history_.back();
@@ -183,10 +184,17 @@ static std::shared_ptr<const Following> demanding(const Following& following) {
     return changed;
 }
 
-/// The next time step, as a row of the history. `again`: it was made before, but not far enough.
-const StepReport& Run::advance(std::stop_token stop, int time_steps, bool again) {
+/// A time step that was not solved far enough: what it took counts, too.
+struct Run::FirstAttempt {
+    const Timer& timer;
+    const StepMesh& mesh;
+};
+
+/// The next time step, as a row of the history. `first`: it is made again.
+const StepReport& Run::advance(std::stop_token stop, int time_steps, const FirstAttempt* first) {
     GASPARD_CHECK(time_steps > 0);
-    const Timer timer(now_);
+    const Timer own(now_);
+    const Timer& timer = first ? first->timer : own;
     Course next = now_;
     auto following = std::make_shared<Following>(*now_.following);
     following->before = std::make_shared<const Points>(now_.method->positions());
@@ -204,10 +212,16 @@ const StepReport& Run::advance(std::stop_token stop, int time_steps, bool again)
     try {
         mesh = TimeStep(*this, next, stop).make(*following);
     } catch (const InputError& error) { // the monitor cannot be made at this time
-        return give_up_time(error.what(), timer);
+        return give_up_time(RunStatus::invalid_input, error.what(), timer);
+    }
+    if (first) {
+        mesh.iterations += first->mesh.iterations;
+        mesh.inner_iterations += first->mesh.inner_iterations;
+        mesh.monitor_seconds += first->mesh.monitor_seconds;
     }
     if (!std::isfinite(mesh.evaluation.residual))
-        return give_up_time("the iteration diverged in the time step to t = " +
+        return give_up_time(RunStatus::diverged,
+                            "the iteration diverged in the time step to t = " +
                                 exact_number(following->time()) + "; a smaller time.step may help",
                             timer);
     if (!mesh.solved)
@@ -218,15 +232,17 @@ const StepReport& Run::advance(std::stop_token stop, int time_steps, bool again)
     find_exact(next);
     StepReport report = report_step(next, mesh, history_.back().iteration + 1, time_steps);
     const auto e = report.value("equidistribution");
-    if (!again && e && mesh.samples.empty() && following->tolerance &&
+    if (!first && e && mesh.samples.empty() && following->tolerance &&
         following->tolerance->exceeded_by(*e)) {
         refresh();
         now_.following = demanding(*now_.following);
-        return advance(stop, time_steps, true);
+        const FirstAttempt attempt{timer, mesh};
+        return advance(stop, time_steps, &attempt);
     }
     if (report.tangled_cells.value_or(0) > 0) ++following->tangled;
     if (following->ends()) end_time(next, report);
     timer.add_to(report, history_.back(), next);
+    report.all_iterations = history_.back().all_iterations + mesh.iterations;
     next.data.stop = {};
     history_.push_back(std::move(report));
     thin_out_time_steps(history_);

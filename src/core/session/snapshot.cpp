@@ -23,6 +23,8 @@ std::string_view status_name(RunStatus status) {
         return "diverged";
     case RunStatus::tangled:
         return "tangled";
+    case RunStatus::invalid_input:
+        return "invalid-input";
     case RunStatus::interrupted:
         return "interrupted";
     case RunStatus::failed:

@@ -33,6 +33,7 @@ enum class RunStatus {
     stalled,         ///< the criterion has not decreased for many iterations
     diverged,        ///< residual or theta became too large, or not finite; the mesh may be tangled as well
     tangled,         ///< the final mesh has tangled cells, although the iteration did not diverge
+    invalid_input,   ///< the monitor of the next time cannot be made; the mesh is that of the time before
     interrupted,     ///< stopped on request
     failed,          ///< an internal error or a system error
 };
@@ -56,8 +57,9 @@ struct StepReport {
     /// Of the linear solver, for this update, and for those of the time steps after it that the history
     /// leaves out.
     int inner_iterations = 0;
-    double seconds = 0;                         ///< cumulative wall time of solving
-    double cpu_seconds = 0;                     ///< cumulative CPU time of all threads that solve
+    int all_iterations = 0; ///< cumulative, with those that time steps are made of
+    double seconds = 0;     ///< cumulative wall time of solving
+    double cpu_seconds = 0; ///< cumulative CPU time of all threads that solve
     RunStatus status = RunStatus::running;
     std::string note{}; ///< a sentence for people, where something is to be said
     /// The names of the series, and the values of those after the residual and without the step size; what

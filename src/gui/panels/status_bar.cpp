@@ -78,6 +78,8 @@ StatusCell describe_state(const SolverStatus& status, bool wants_to_run) {
         return {"State", "Diverged", Tone::bad};
     case RunStatus::tangled:
         return {"State", "Tangled", Tone::bad};
+    case RunStatus::invalid_input:
+        return {"State", "Invalid input", Tone::bad};
     case RunStatus::interrupted:
         return {"State", "Interrupted", Tone::warning};
     case RunStatus::failed:

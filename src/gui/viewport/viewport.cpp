@@ -30,6 +30,7 @@ Colour status_colour(RunStatus status, const Theme& theme) {
         return theme.warning;
     case RunStatus::diverged:
     case RunStatus::tangled:
+    case RunStatus::invalid_input:
     case RunStatus::failed:
         return theme.bad;
     case RunStatus::preparing:

@@ -229,6 +229,12 @@ TEST_F(FollowingTest, AStepThatExceedsTheFactorIsMadeAgain) {
     int solved = 0;
     for (const StepReport& step : time_steps(run)) solved += step.residual < 1e-8 ? 1 : 0;
     EXPECT_GT(solved, 1) << "not the first step alone";
+    int made = 0; // with the attempts that did not suffice
+    for (const StepReport& step : time_steps(run))
+        made += static_cast<int>(*step.value(time_names::iterations));
+    const StepReport& start =
+        *std::ranges::find_if_not(run.history().rbegin(), run.history().rend(), is_time_step);
+    EXPECT_EQ(run.history().back().all_iterations, start.iteration + made);
     EXPECT_EQ(time_steps(run).size(), 7u);
     for (std::size_t i = 1; i < run.history().size(); ++i)
         EXPECT_EQ(run.history()[i].iteration, run.history()[i - 1].iteration + 1);
@@ -260,7 +266,7 @@ TEST_F(FollowingTest, AMonitorThatCannotBeMadeEndsTheRunAtTheTimeBefore) {
                     "monitor.expression=1 + (t > 0.11 ? log(x - 0.3) : 0)"});
     gaspard::Run run(catalogue, moving);
     run.solve();
-    EXPECT_EQ(run.status(), RunStatus::diverged);
+    EXPECT_EQ(run.status(), RunStatus::invalid_input);
     EXPECT_NE(run.history().back().note.find("formula"), std::string::npos) << run.history().back().note;
     EXPECT_NEAR(*run.time(), 0.1, 1e-9);
     EXPECT_EQ(run.history().back().tangled_cells, 0u) << "measured";
@@ -414,6 +420,22 @@ TEST_F(FollowingTest, AMotionWithoutTimeIsTold) {
     EXPECT_NE(report->notes[0].find("does not move"), std::string::npos);
     gaspard::Run moving = make();
     EXPECT_TRUE(moving.monitor_report()->notes.empty());
+}
+
+TEST_F(FollowingTest, TimeInWhichNothingMovesIsTold) {
+    const auto notes = [&](const std::vector<std::string>& settings) {
+        Scenario scenario = find_scenario(*catalogue, "plane-ring");
+        apply_settings(*catalogue, scenario, {"domain.cells=8"});
+        apply_settings(*catalogue, scenario, settings);
+        const auto report = gaspard::Run(catalogue, scenario).monitor_report();
+        return report ? report->notes : std::vector<std::string>{};
+    };
+    ASSERT_EQ(notes({"time.end=1"}).size(), 1u);
+    EXPECT_NE(notes({"time.end=1"})[0].find("Time passes, but the monitor does not move"), std::string::npos);
+    ASSERT_EQ(notes({"time.end=-1"}).size(), 1u);
+    EXPECT_NE(notes({"time.end=-1"})[0].find("time.end is before time.start"), std::string::npos);
+    EXPECT_TRUE(notes({}).empty());
+    EXPECT_TRUE(notes({"time.end=1", "monitor.type=formula", "monitor.expression=2 + x*sin(t)"}).empty());
 }
 
 TEST_F(FollowingTest, AMonitorOfTheCallerHasItsOwnTime) {
