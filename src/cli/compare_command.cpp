@@ -6,12 +6,13 @@
 #include "core/base/join.hpp"
 #include "core/base/user_path.hpp"
 #include "core/io/atomic_file.hpp"
-#include "core/io/image.hpp"
 #include "core/io/history_file.hpp"
+#include "core/io/image.hpp"
 #include "core/io/run_folder.hpp"
 #include "core/session/comparison.hpp"
 #include "core/session/report_columns.hpp"
 #include "core/session/run.hpp"
+#include "core/session/time_series.hpp"
 #include "gui/app/viewport_image.hpp"
 #include "gui/gl/offscreen.hpp"
 
@@ -55,20 +56,25 @@ void print_cells(const std::vector<std::string>& cells) {
 /// The results of all methods: residual curves and meshes. Residuals are those on the mesh of the run, which
 /// are the same measure for all methods; series of a method's own that end it are a plot of their own.
 struct Outcome {
-    Plot residual{"Residual", {"iteration on the finest mesh", false}, {"normalised residual", true}, {}};
-    Plot against_time{"Residual over time", {"CPU seconds", true}, {"normalised residual", true}, {}};
-    Plot criteria{"Other stopping criteria", {"iteration on the finest mesh", false}, {"", true}, {}};
+    explicit Outcome(const Scenario& scenario) {
+        residual.x.label = criteria.x.label = axis_of_comparison(scenario);
+    }
+    Plot residual{"Residual", {}, {"normalised residual", true}, {}};
+    Plot against_time{"Residual over CPU time", {"CPU seconds", true}, {"normalised residual", true}, {}};
+    Plot criteria{"Other stopping criteria", {}, {"", true}, {}};
     std::vector<Panel> meshes;
 
     void add(const std::string& method, Run& run, const std::string& status) {
         const SeriesInfo* criterion = other_criterion(run.history().back());
         Curve curve{method, {}, {}}, timed{method, {}, {}}, own;
         if (criterion) own.label = method + ": " + criterion->name;
-        for (const auto& [iteration, report] : finest_reports(run.history())) {
-            curve.x.push_back(iteration), curve.y.push_back(report->residual);
-            if (criterion) own.x.push_back(iteration), own.y.push_back(*report->value(criterion->name));
-            if (report->cpu_seconds <= 0) continue;
-            timed.x.push_back(report->cpu_seconds), timed.y.push_back(report->residual);
+        for (const FinestReport& one : finest_reports(run.history())) {
+            const StepReport& report = *one.report;
+            if (is_time_step(run.history().back()) && !is_time_step(report)) continue; // of the solve before
+            curve.x.push_back(one.place()), curve.y.push_back(report.residual);
+            if (criterion) own.x.push_back(one.place()), own.y.push_back(*report.value(criterion->name));
+            if (report.cpu_seconds <= 0) continue;
+            timed.x.push_back(report.cpu_seconds), timed.y.push_back(report.residual);
         }
         curve.colour = timed.colour = own.colour = meshes.size();
         residual.curves.push_back(std::move(curve));
@@ -114,7 +120,7 @@ int compare_command(std::shared_ptr<const Catalogue> catalogue, const CompareArg
     const InterruptWatch interrupt; // once the input is read: a signal ends a program that waits for it
     check_writable(folder);
     std::vector<ComparisonRow> rows;
-    Outcome outcome;
+    Outcome outcome(scenario);
     bool failed = false;
     bool recorded = false;
     const auto record = [&] { // before the files that it is about

@@ -1,6 +1,8 @@
 #include "core/session/comparison.hpp"
 
 #include "core/method/method.hpp"
+#include "core/scenario/time_rows.hpp"
+#include "core/session/time_series.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -48,7 +50,7 @@ ComparisonRow comparison_row(const std::string& method, const std::vector<StepRe
     const StepReport& last = history.back();
     const auto reports = finest_reports(history);
     const FinestReport finest = reports.empty() ? FinestReport{0, &last} : reports.back();
-    row.iterations = last.iteration;
+    row.iterations = last.all_iterations;
     row.coarse_iterations = last.iteration - finest.iteration;
     row.cpu_seconds = last.cpu_seconds;
     row.residual = finest.report->residual;
@@ -74,6 +76,12 @@ std::vector<FinestReport> finest_reports(const std::vector<StepReport>& history)
         before = report.iteration;
     }
     return finest;
+}
+
+double FinestReport::place() const { return time_of(*report).value_or(iteration); }
+
+std::string axis_of_comparison(const Scenario& scenario) {
+    return has_time(scenario.time) ? "time t" : "iteration on the finest mesh";
 }
 
 std::vector<std::string> comparison_heads() {

@@ -21,7 +21,7 @@ Scenario with_method(const Catalogue& catalogue, const Scenario& scenario, const
 /// The results of one method.
 struct ComparisonRow {
     std::string method;
-    int iterations = 0;        ///< on all meshes
+    int iterations = 0;        ///< on all meshes, and in all time steps
     int coarse_iterations = 0; ///< of these, updates made on coarser meshes (level_series)
     int inner_iterations = 0;  ///< total iterations of the linear solver
     double cpu_seconds = 0;    ///< CPU time of the iteration
@@ -41,8 +41,12 @@ ComparisonRow comparison_row(const std::string& method, const std::vector<StepRe
 struct FinestReport {
     int iteration = 0;
     const StepReport* report; ///< of the history
+    /// Where a plot shows it, under axis_of_comparison(): its time if there are time steps, else `iteration`.
+    double place() const;
 };
 std::vector<FinestReport> finest_reports(const std::vector<StepReport>& history);
+/// "iteration on the finest mesh", or of a scenario with time "time t".
+std::string axis_of_comparison(const Scenario& scenario);
 
 /// Column headings of the table, and the cells of a row as text.
 std::vector<std::string> comparison_heads();

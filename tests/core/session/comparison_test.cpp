@@ -2,6 +2,7 @@
 #include "core/scenario/toml.hpp"
 #include "core/session/comparison.hpp"
 #include "core/session/run.hpp"
+#include "core/session/time_series.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -127,6 +128,26 @@ TEST_F(Comparison, IterationsOnCoarserMeshesAreCountedByThemselves) {
     gaspard::Run run(catalogue, scenario);
     run.solve();
     EXPECT_EQ(comparison_row("picard", run.history()).coarse_iterations, 0);
+}
+
+TEST_F(Comparison, IterationsOfTimeStepsAreCountedAndPlacedInTime) {
+    const Scenario scenario =
+        small({"time.end=0.1", "time.monitor.center_x=center_x + 0.5*t", "time.rule=tolerance"});
+    gaspard::Run run(catalogue, with_method(*catalogue, scenario, "newton"));
+    run.solve();
+    int iterations = 0; // of the solve for the start, and of all time steps
+    for (const StepReport& report : run.history())
+        iterations = is_time_step(report)
+                         ? iterations + static_cast<int>(*report.value(time_names::iterations))
+                         : report.iteration;
+    const ComparisonRow row = comparison_row("newton", run.history());
+    EXPECT_EQ(row.iterations, iterations);
+    EXPECT_GT(iterations, run.history().back().iteration) << "more than one in a step";
+    const auto finest = finest_reports(run.history());
+    EXPECT_EQ(finest.front().place(), 0);
+    EXPECT_EQ(finest.back().place(), 0.1);
+    EXPECT_EQ(axis_of_comparison(scenario), "time t");
+    EXPECT_EQ(axis_of_comparison(small()), "iteration on the finest mesh");
 }
 
 TEST_F(Comparison, WhatHasNotBegunHasNoNumbers) {
