@@ -93,8 +93,10 @@ void write_all(const Film& film, const Scenario& scenario, const fs::path& folde
     writing.draw = [&](int k) {
         if (!context) context = make_offscreen_context();
         const FilmFrame frame = film.frame(k);
+        const auto planner = std::make_shared<ViewportPlanner>();
+        planner->prepare(frame);
         return render_view(*frame.snapshot, frame.view, width, height, scenario_title(scenario),
-                           {.gl = &context->gl(), .stop = writing.stop});
+                           {.gl = &context->gl(), .stop = writing.stop, .planner = planner});
     };
     writing.begun = [&](const std::string& what, int number, int count) {
         progress.show(count > 1 ? what + " " + std::to_string(number) + " of " + std::to_string(count)

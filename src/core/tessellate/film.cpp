@@ -10,11 +10,15 @@
 #include "core/tessellate/camera.hpp"
 #include "core/tessellate/cell_geometry.hpp"
 #include "core/tessellate/colouring.hpp"
+#include "core/tessellate/interval_plots.hpp"
+#include "core/tessellate/plot_axis.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 namespace gaspard {
 
@@ -270,7 +274,25 @@ Film::Film(FilmPlan plan, const Recording& recording, std::shared_ptr<const Snap
         fit_to_time(progress, stop);
     else if (plan_.motions.iterations && view_.text("range") != "fixed")
         view_ = with_range(view_, range_of_recording(recording_, last_.get(), colour_choice(view_)));
+    if (last_->mesh->space_dimension == 1 && plan_.motions.shows_iterates()) hold_axes(stop);
     last_ = iterate(iterations_.back());
+}
+
+/// By the two meshes whose plots of cell widths reach farthest down and up. Tangled ones do not count.
+void Film::hold_axes(const std::stop_token& stop) {
+    const std::vector<bool> shown = this->shown();
+    std::shared_ptr<const Snapshot> lowest, highest;
+    AxisRange all{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    for (std::size_t i = 0; i < iterations_.size(); ++i) {
+        if (!shown[i]) continue;
+        if (stop.stop_requested()) throw Interrupted();
+        const auto mesh = iterate(iterations_[i]);
+        if (mesh->report.tangled_cells.value_or(0) > 0) continue;
+        const AxisRange range = shown_range(interval_plots(*mesh, view_).front().spacing, true);
+        if (range.low < all.low) all.low = range.low, lowest = mesh;
+        if (range.high > all.high) all.high = range.high, highest = mesh;
+    }
+    if (lowest && highest) compared_ = {lowest, highest};
 }
 
 /// Whether all meshes are seen by one camera, so that its frame does not move with them: those in the plane.
@@ -344,7 +366,7 @@ std::shared_ptr<const Snapshot> Film::iterate(int iteration) const {
 }
 
 FilmFrame Film::frame(int frame) const {
-    FilmFrame made{iteration(frame), nullptr, view_};
+    FilmFrame made{iteration(frame), nullptr, view_, compared_};
     made.snapshot = iterate(made.iteration);
     const double t = place(frame);
     const Size size = size_of(view_);

@@ -78,6 +78,9 @@ struct FilmFrame {
     int iteration = 0;
     std::shared_ptr<const Snapshot> snapshot;
     Values view;
+    /// Meshes of the film of an interval: the vertical axes of its plots cover those of these, too, so that
+    /// they are the same in all frames.
+    std::vector<std::shared_ptr<const Snapshot>> compared{};
 };
 
 class Film {
@@ -105,6 +108,7 @@ class Film {
     std::vector<bool> shown() const;
     bool holds_camera() const;
     void fit_to_time(const Progress& progress, const std::stop_token& stop);
+    void hold_axes(const std::stop_token& stop);
     std::shared_ptr<const Snapshot> iterate(int iteration) const;
 
     FilmPlan plan_;
@@ -113,6 +117,7 @@ class Film {
     std::shared_ptr<const Snapshot> last_;
     Values view_;
     FilmLength length_;
+    std::vector<std::shared_ptr<const Snapshot>> compared_{};
 };
 
 } // namespace gaspard

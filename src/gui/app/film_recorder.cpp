@@ -204,7 +204,7 @@ Image FilmRecorder::FilmInWork::draw(const Film& film, int number, const Gl& gl)
 /// Each frame has a planner of its own, as in a film without a window, so that their pixels are equal.
 void FilmRecorder::FilmInWork::want(const Film& film, int number, const Gl& gl) {
     Wanted wanted{number, film.frame(number), std::make_shared<ViewportPlanner>(), &gl};
-    wanted.planner->prepare(*wanted.frame.snapshot, wanted.frame.view);
+    wanted.planner->prepare(wanted.frame);
     {
         const std::lock_guard lock(mutex_);
         wanted_.push_back(std::move(wanted));

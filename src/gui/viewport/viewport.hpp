@@ -25,6 +25,8 @@
 
 namespace gaspard {
 
+struct FilmFrame;
+
 struct ViewportText {
     std::string title{};   ///< above the mesh; may be empty
     std::string subject{}; ///< what is solved: "plane, ring"; may be empty
@@ -87,6 +89,8 @@ class ViewportPlanner {
     /// Makes what takes long in plan() of the same snapshot and view. Needs no ImGui, so it can be done on
     /// another thread before.
     void prepare(const Snapshot& snapshot, const Values& view);
+    /// Axes of plots are those of the whole film.
+    void prepare(const FilmFrame& frame);
     /// Needs a current ImGui frame, for the sizes of texts. `view`: values of view_rows(). Texts that cannot
     /// be read are as good as empty, but for a complaint.
     ///

@@ -2,6 +2,7 @@
 #include "core/scenario/view_rows.hpp"
 #include "core/tessellate/blend.hpp"
 #include "core/tessellate/caption.hpp"
+#include "core/tessellate/film.hpp"
 #include "core/tessellate/snapshot_section.hpp"
 #include "core/tessellate/ticks.hpp"
 #include "gui/scene/arrows.hpp"
@@ -387,6 +388,11 @@ void ViewportPlanner::prepare(const Snapshot& snapshot, const Values& view) {
     const std::string layout = layout_of(scene, view);
     if (layout == "projection") projection_maker_.make(scene, view.real("projection_longitude"));
     if (layout == "side-by-side" || layout == "computational") computational(scene, snapshot, view);
+}
+
+void ViewportPlanner::prepare(const FilmFrame& frame) {
+    prepare(*frame.snapshot, frame.view);
+    compare_plots(frame.compared);
 }
 
 ViewportPlan ViewportPlanner::plan(const Snapshot& snapshot, const Values& view, const ViewportText& text,

@@ -359,7 +359,8 @@ TEST_F(FilmFromWindowTest, AFrameIsTheSameInEveryKindOfView) {
         std::vector<std::string> settings;
     };
     for (const Kind& kind :
-         {Kind{"spline-cube", {"view.cut=normal 1 1 0.3 at 0.5 0.5 0.5", "view.layout=side-by-side"}},
+         {Kind{"spline-cube",
+               {"domain.cells=4", "view.cut=normal 1 1 0.3 at 0.5 0.5 0.5", "view.layout=side-by-side"}},
           Kind{"sphere-x2", {"view.layout=projection", "view.contours=5"}}, Kind{"layer-1d", {}},
           Kind{"plane-bell", {"view.elevation=1", "view.arrows=true", "view.color=interpolation_error"}}}) {
         Scenario scenario = find_scenario(*catalogue, kind.name);
@@ -376,8 +377,11 @@ TEST_F(FilmFromWindowTest, AFrameIsTheSameInEveryKindOfView) {
         const Film film(plan, *run().recording, run().snapshot, look());
         for (int k = 0; k < 2; ++k) {
             const FilmFrame frame = film.frame(k);
-            EXPECT_EQ(frame_of(kind.name, k).rgba,
-                      render_view(*frame.snapshot, frame.view, 160, 120, scenario_title(scenario)).rgba)
+            const auto planner = std::make_shared<ViewportPlanner>();
+            planner->prepare(frame);
+            EXPECT_EQ(frame_of(kind.name, k).rgba, render_view(*frame.snapshot, frame.view, 160, 120,
+                                                               scenario_title(scenario), {.planner = planner})
+                                                       .rgba)
                 << kind.name << " " << k;
         }
     }

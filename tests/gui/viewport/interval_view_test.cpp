@@ -1,5 +1,8 @@
 // Plots instead of the mesh of an interval: where they are, and what the mouse and actions do with them.
+#include "core/scenario/toml.hpp"
 #include "core/scenario/view_rows.hpp"
+#include "core/session/run.hpp"
+#include "core/tessellate/film.hpp"
 #include "gui/application_fixture.hpp"
 #include "gui/plan_fixture.hpp"
 #include "gui/plot/plot_curves.hpp"
@@ -94,6 +97,41 @@ TEST_F(IntervalPlan, WhileIteratesAreComparedTheirAxesStay) {
     EXPECT_GE(range(*middle, 0).high, std::max(lowest.high, highest.high) - 1e-12);
     planner_.compare_plots({});
     EXPECT_NE(range(*first, 0), range(*last, 0)) << "fitted again afterwards";
+}
+
+TEST_F(IntervalPlan, AllFramesOfAFilmHaveTheSameAxes) {
+    const auto catalogue = std::make_shared<Catalogue>(builtin_catalogue());
+    for (const auto& [name, motions] : {std::pair{"layer-1d", FilmMotions{.iterations = true}},
+                                        {"burgers-1d", FilmMotions{.time = true}}}) {
+        Scenario scenario = find_scenario(*catalogue, name);
+        apply_settings(*catalogue, scenario, {"domain.cells=16"});
+        if (motions.time) apply_settings(*catalogue, scenario, {"time.end=0.4", "time.step=0.05"});
+        Recording recording{std::size_t{1} << 30};
+        gaspard::Run run(catalogue, scenario);
+        recording.add(*run.snapshot());
+        while (run.status() == RunStatus::running) run.step(), recording.add(*run.snapshot());
+        const Film film({.motions = motions}, recording, run.snapshot(), scenario.view);
+        const auto ranges = [&](FilmFrame shown, bool held) {
+            if (!held) shown.compared.clear();
+            ViewportPlanner planner;
+            planner.prepare(shown);
+            std::vector<std::pair<double, double>> all;
+            ui_.frame([&] {
+                for (const PlannedPlot& plot :
+                     planner.plan(*shown.snapshot, shown.view, {.subject = subject_}, whole_, 1).plots)
+                    all.emplace_back(home_range(plot.view, true).low, home_range(plot.view, true).high);
+            });
+            return all;
+        };
+        const auto first = ranges(film.frame(0), true);
+        bool differ = false;
+        ASSERT_GT(film.frames(), 4) << name;
+        for (int k = 0; k < film.frames(); ++k) {
+            EXPECT_EQ(ranges(film.frame(k), true), first) << name << ", frame " << k;
+            differ = differ || ranges(film.frame(k), false) != ranges(film.frame(0), false);
+        }
+        EXPECT_TRUE(differ) << name << ": each fitted by itself";
+    }
 }
 
 TEST_F(IntervalPlan, ALinearAxisIsExactToTenToMinusTwelveAtBothEnds) {
