@@ -59,6 +59,17 @@ double distance_in_space(void* place, const double* from, int count) {
 }
 
 /// A parser with variables of its own, for one thread.
+/// muParser reads numbers with a locale of its own, whose tables the C++ library makes in its first use
+/// without guarding them: that one comes alone.
+void read_first_number() {
+    static const bool done = [] {
+        mu::Parser parser;
+        parser.SetExpr("0.5");
+        return parser.Eval() > 0;
+    }();
+    static_cast<void>(done);
+}
+
 struct Evaluator {
     mu::Parser parser;
     EvaluationPlace place;
@@ -67,6 +78,7 @@ struct Evaluator {
 
     Evaluator(const std::string& text, const Space& space, const std::vector<std::string>& names,
               std::span<const double> values) {
+        read_first_number();
         place.space = space;
         parser.ClearFun();
         parser.ClearConst();
