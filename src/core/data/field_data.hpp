@@ -66,6 +66,7 @@ struct FieldData {
     std::string variable;               ///< the name of what was read
     std::vector<std::string> variables; ///< all that can be read
     std::variant<GridData, ScatteredData> data;
+    std::size_t time_steps = 1;       ///< of the variable in the file
     std::vector<std::string> notes{}; ///< sentences about the choices that the reader made
 };
 

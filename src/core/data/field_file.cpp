@@ -77,6 +77,8 @@ FieldData parse_field(std::string_view bytes, const std::string& origin, const F
         if (count_missing(values_of(field)) == values_of(field).size())
             throw InputError("all values of '" + field.variable + "' are missing" +
                              (request.time > 0 || !request.time_ends ? in_step(request.time) : ""));
+        if (!request.time_ends && field.time_steps == 1)
+            field.notes.emplace_back("The field has one time step, and does not move while time passes.");
         return field;
     } catch (const InputError& error) {
         throw InputError("cannot read " + origin + ": " + error.what());

@@ -123,6 +123,10 @@ std::set<std::string> descriptions(const NetcdfInput& file) {
     return names;
 }
 
+const std::string& name_of(const NetcdfInput& file, const Variable& variable, std::size_t d) {
+    return file.dimensions()[static_cast<std::size_t>(variable.dimensions[d])].name;
+}
+
 std::size_t long_dimensions(const NetcdfInput& file, const Variable& variable) {
     std::size_t count = 0;
     for (std::size_t d = 0; d < variable.dimensions.size(); ++d)
@@ -152,45 +156,59 @@ std::vector<std::string> field_names(const NetcdfInput& file) {
 class Slice {
   public:
     Slice(const NetcdfInput& file, const Variable& variable, const std::vector<std::size_t>& free,
-          const FieldRequest& request, std::vector<std::string>& notes)
+          const FieldRequest& request, FieldData& field)
         : start(variable.dimensions.size(), 0), count(variable.dimensions.size(), 1) {
-        bool time_used = false, level_used = false;
+        std::vector<std::size_t> others;
         for (std::size_t d = 0; d < start.size(); ++d) {
             const std::size_t length = file.length(variable, d);
-            if (std::find(free.begin(), free.end(), d) != free.end()) {
+            if (length == 0)
+                throw InputError("'" + variable.name + "' is empty along '" + name_of(file, variable, d) +
+                                 "'");
+            if (std::find(free.begin(), free.end(), d) == free.end())
+                others.push_back(d);
+            else
                 count[d] = length;
-                continue;
-            }
-            const std::string& name =
-                file.dimensions()[static_cast<std::size_t>(variable.dimensions[d])].name;
-            if (length == 0) throw InputError("'" + variable.name + "' is empty along '" + name + "'");
-            const Axis axis = axis_of_dimension(file, variable.dimensions[d]);
-            const bool by_level = !level_used && (axis == Axis::z || length > 1);
-            const std::string entries = std::to_string(length) + " entries";
-            if (axis == Axis::time && !time_used)
-                start[d] = find_time(request, length), time_used = true;
-            else if (by_level)
-                start[d] = find_index(request.level, length, "level"), level_used = true;
-            else if (length > 1)
-                notes.push_back("Of the dimension " + name + " the first of " + entries + " is used.");
-            if (axis == Axis::unknown && by_level)
-                notes.push_back("The dimension " + name + " is no known axis; of its " + entries +
-                                (request.dimension == 3 ? " the first is used." : " level chooses one."));
         }
-        if (!time_used) find_time(request, 1);
-        if (!level_used) find_index(request.level, 1, "level");
+        const auto axis = [&](std::size_t d) { return axis_of_dimension(file, variable.dimensions[d]); };
+        const auto take = [&](const auto& suits) {
+            const auto found = std::find_if(others.begin(), others.end(), suits);
+            if (found == others.end()) return std::optional<std::size_t>();
+            const std::size_t d = *found;
+            others.erase(found);
+            return std::optional(d);
+        };
+        const auto time = take([&](std::size_t d) { return axis(d) == Axis::time; });
+        std::erase_if(others, [&](std::size_t d) { return file.length(variable, d) == 1; });
+        auto level = take([&](std::size_t d) { return axis(d) == Axis::z; });
+        if (!level && request.dimension == 2) level = take([](std::size_t) { return true; });
+        field.time_steps = time ? file.length(variable, *time) : 1;
+        const std::size_t step = find_time(request, field.time_steps),
+                          height =
+                              find_index(request.level, level ? file.length(variable, *level) : 1, "level");
+        if (time) start[*time] = step;
+        if (level) start[*level] = height;
+        const auto entries = [&](std::size_t d) {
+            return std::to_string(file.length(variable, d)) + " entries";
+        };
+        if (level && axis(*level) != Axis::z)
+            field.notes.push_back("The dimension " + name_of(file, variable, *level) +
+                                  " is no height; level = " + std::to_string(height) +
+                                  " chooses one of its " + entries(*level) + ".");
+        for (const std::size_t d : others)
+            field.notes.push_back("Of the dimension " + name_of(file, variable, d) + " the first of " +
+                                  entries(d) + " is used.");
     }
 
     std::vector<std::size_t> start, count;
 };
 
 ScatteredData read_points(const NetcdfInput& file, const Variable& variable, const PointCoordinates& at,
-                          const FieldRequest& request, std::vector<std::string>& notes) {
+                          const FieldRequest& request, FieldData& field) {
     std::vector<std::size_t> free;
     for (std::size_t d = variable.dimensions.size() - at.x->dimensions.size(); d < variable.dimensions.size();
          ++d)
         free.push_back(d);
-    const Slice slice(file, variable, free, request, notes);
+    const Slice slice(file, variable, free, request, field);
     ScatteredData data{at.geographic ? Coordinates::geographic : Coordinates::cartesian,
                        at.z != nullptr ? 3 : 2,
                        {},
@@ -228,8 +246,7 @@ std::array<std::size_t, 2> plane_of(const NetcdfInput& file, const Variable& var
     for (const std::size_t d : found)
         if (file.length(variable, d) < 2)
             throw InputError("'" + variable.name + "' has only " + std::to_string(file.length(variable, d)) +
-                             " value along '" +
-                             file.dimensions()[static_cast<std::size_t>(variable.dimensions[d])].name + "'");
+                             " value along '" + name_of(file, variable, d) + "'");
     return found;
 }
 
@@ -289,9 +306,15 @@ void put_x_first(GridData& grid, const std::vector<std::size_t>& directions) {
 }
 
 GridData read_grid(const NetcdfInput& file, const Variable& variable, const FieldRequest& request,
-                   std::vector<std::string>& notes) {
+                   FieldData& field) {
     const auto directions = directions_of(file, variable, request.dimension);
-    const Slice slice(file, variable, directions, request, notes);
+    const bool chosen = long_dimensions(file, variable) > directions.size();
+    for (std::size_t k = 0; k < directions.size(); ++k)
+        if ((chosen || k == 2) &&
+            axis_of_dimension(file, variable.dimensions[directions[k]]) == Axis::unknown)
+            field.notes.push_back("The dimension " + name_of(file, variable, directions[k]) +
+                                  " is no known axis and is taken as " + "xyz"[k] + ".");
+    const Slice slice(file, variable, directions, request, field);
     // The values first: they check that the lengths are not those of a damaged header.
     GridData grid{
         kind_of_axes(file, variable, directions), {}, file.values(variable, slice.start, slice.count)};
@@ -328,9 +351,9 @@ FieldData parse_netcdf_field(std::string_view bytes, const FieldRequest& request
     const Variable& variable = *file.find(field.variable);
     const PointCoordinates at = point_coordinates(file, variable);
     if (at.x == nullptr)
-        field.data = read_grid(file, variable, request, field.notes);
+        field.data = read_grid(file, variable, request, field);
     else
-        field.data = arranged(read_points(file, variable, at, request, field.notes), field.notes, request);
+        field.data = arranged(read_points(file, variable, at, request, field), field.notes, request);
     return field;
 }
 

@@ -139,13 +139,25 @@ TEST(FieldFile, NotesSayWhichEntriesOfUnknownDimensionsAreUsed) {
     const FieldData plane = read("members.nc", {.level = 1});
     EXPECT_EQ(grid(plane).values, (std::vector<double>{8, 9, 10, 11}));
     EXPECT_EQ(plane.notes, (std::vector<std::string>{
-                               "The dimension member is no known axis; of its 3 entries level chooses one.",
+                               "The dimension member is no height; level = 1 chooses one of its 3 entries.",
                                "Of the dimension stage the first of 2 entries is used."}));
     const FieldData solid = read("members.nc", {.dimension = 3});
     EXPECT_EQ(grid(solid).count(2), 2u);
-    EXPECT_EQ(solid.notes, std::vector<std::string>{
-                               "The dimension member is no known axis; of its 3 entries the first is used."});
+    EXPECT_EQ(solid.notes,
+              (std::vector<std::string>{"The dimension stage is no known axis and is taken as z.",
+                                        "Of the dimension member the first of 3 entries is used."}));
+    const FieldData with_height = read("members.nc", {.variable = "w", .level = 1});
+    EXPECT_EQ(grid(with_height).values, (std::vector<double>{4, 5, 6, 7})) << "z is the level, not member";
+    EXPECT_EQ(with_height.notes,
+              (std::vector<std::string>{"The dimension row is no known axis and is taken as y.",
+                                        "Of the dimension member the first of 3 entries is used."}));
+    EXPECT_EQ(error_in("members.nc", {.variable = "w", .level = 2}),
+              "cannot read members.nc: there is no level 2; it has 0 to 1 (-1 is the last)");
     for (const char* name : {"space.nc", "globe-classic.nc"}) EXPECT_TRUE(read(name).notes.empty()) << name;
+    EXPECT_EQ(read("globe-classic.nc").time_steps, 2u);
+    EXPECT_TRUE(read("globe-classic.nc", {.time_ends = false}).notes.empty());
+    EXPECT_EQ(read("space.nc", {.time_ends = false}).notes,
+              std::vector<std::string>{"The field has one time step, and does not move while time passes."});
 }
 
 TEST(FieldFile, ColumnsOfPointsInSpace) {

@@ -277,9 +277,10 @@ with netcdf("space.nc") as file:  # y descends, z is the slowest direction and x
     file.createVariable("g", "f8", ("z", "x", "y"))[:] = g(
         lines["x"][None, :, None], lines["y"][None, None, :], lines["z"][:, None, None])
 with netcdf("members.nc") as file:  # two dimensions that are no axes
-    for name, length in (("member", 3), ("stage", 2), ("y", 2), ("x", 2)):
+    for name, length in (("member", 3), ("stage", 2), ("y", 2), ("x", 2), ("z", 2), ("row", 2)):
         file.createDimension(name, length)
     file.createVariable("v", "i2", ("member", "stage", "y", "x"))[:] = np.arange(24).reshape(3, 2, 2, 2)
+    file.createVariable("w", "i2", ("member", "z", "row", "x"))[:] = np.arange(24).reshape(3, 2, 2, 2)
 with netcdf("space-points.nc") as file:
     at = np.random.default_rng(2).uniform(0, 1, (3, 30))
     file.createDimension("node", 30)
