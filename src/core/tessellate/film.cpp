@@ -10,8 +10,6 @@
 #include "core/tessellate/camera.hpp"
 #include "core/tessellate/cell_geometry.hpp"
 #include "core/tessellate/colouring.hpp"
-#include "core/tessellate/interval_plots.hpp"
-#include "core/tessellate/plot_axis.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -190,6 +188,9 @@ FilmIterates film_iterates(const Recording& recording) {
     for (const int iteration : iterates.recorded)
         if (iterates.first_in_time && iteration >= *iterates.first_in_time)
             iterates.times.push_back(time_of(recording.at(iteration)->report()).value());
+    auto& times = iterates.times;
+    if (times.size() > 1 && times.back() == times[times.size() - 2]) // a step that could not be made
+        times.pop_back(), iterates.recorded.pop_back();
     return iterates;
 }
 
@@ -274,25 +275,29 @@ Film::Film(FilmPlan plan, const Recording& recording, std::shared_ptr<const Snap
         fit_to_time(progress, stop);
     else if (plan_.motions.iterations && view_.text("range") != "fixed")
         view_ = with_range(view_, range_of_recording(recording_, last_.get(), colour_choice(view_)));
-    if (last_->mesh->space_dimension == 1 && plan_.motions.shows_iterates()) hold_axes(stop);
     last_ = iterate(iterations_.back());
+    if (is_interval(*last_->mesh)) fit_axes(stop);
 }
 
-/// By the two meshes whose plots of cell widths reach farthest down and up. Tangled ones do not count.
-void Film::hold_axes(const std::stop_token& stop) {
-    const std::vector<bool> shown = this->shown();
-    std::shared_ptr<const Snapshot> lowest, highest;
-    AxisRange all{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+/// To all meshes of the film, but to tangled ones only if there are no others.
+void Film::fit_axes(const std::stop_token& stop) {
+    std::vector<bool> shown(iterations_.size(), false);
+    for (int k = 0; k < length_.frames; ++k)
+        shown[plan_.motions.shows_iterates() ? place_in_list(k) : iterations_.size() - 1] = true;
+    std::vector<Values> views{view_};
+    if (plan_.motions.blend) { // in between, all is between
+        views.push_back(view_);
+        views[0].set("blend", 0.0), views[1].set("blend", 1.0);
+    }
+    std::vector<ColumnRanges> sound, tangled;
     for (std::size_t i = 0; i < iterations_.size(); ++i) {
         if (!shown[i]) continue;
         if (stop.stop_requested()) throw Interrupted();
         const auto mesh = iterate(iterations_[i]);
-        if (mesh->report.tangled_cells.value_or(0) > 0) continue;
-        const AxisRange range = shown_range(interval_plots(*mesh, view_).front().spacing, true);
-        if (range.low < all.low) all.low = range.low, lowest = mesh;
-        if (range.high > all.high) all.high = range.high, highest = mesh;
+        auto& all = mesh->report.tangled_cells.value_or(0) > 0 ? tangled : sound;
+        for (const Values& view : views) all = merged(all, shown_ranges(interval_plots(*mesh, view)));
     }
-    if (lowest && highest) compared_ = {lowest, highest};
+    axes_ = sound.empty() ? tangled : sound;
 }
 
 /// Whether all meshes are seen by one camera, so that its frame does not move with them: those in the plane.
@@ -366,7 +371,7 @@ std::shared_ptr<const Snapshot> Film::iterate(int iteration) const {
 }
 
 FilmFrame Film::frame(int frame) const {
-    FilmFrame made{iteration(frame), nullptr, view_, compared_};
+    FilmFrame made{iteration(frame), nullptr, view_, axes_};
     made.snapshot = iterate(made.iteration);
     const double t = place(frame);
     const Size size = size_of(view_);

@@ -10,6 +10,7 @@
 #include "core/scenario/scenario.hpp"
 #include "core/session/recording.hpp"
 #include "core/tessellate/colour_map.hpp"
+#include "core/tessellate/interval_plots.hpp"
 
 #include <memory>
 #include <optional>
@@ -78,9 +79,7 @@ struct FilmFrame {
     int iteration = 0;
     std::shared_ptr<const Snapshot> snapshot;
     Values view;
-    /// Meshes of the film of an interval: the vertical axes of its plots cover those of these, too, so that
-    /// they are the same in all frames.
-    std::vector<std::shared_ptr<const Snapshot>> compared{};
+    std::vector<ColumnRanges> axes{}; ///< of an interval: what the axes of its plots show in all frames
 };
 
 class Film {
@@ -108,7 +107,7 @@ class Film {
     std::vector<bool> shown() const;
     bool holds_camera() const;
     void fit_to_time(const Progress& progress, const std::stop_token& stop);
-    void hold_axes(const std::stop_token& stop);
+    void fit_axes(const std::stop_token& stop);
     std::shared_ptr<const Snapshot> iterate(int iteration) const;
 
     FilmPlan plan_;
@@ -117,7 +116,7 @@ class Film {
     std::shared_ptr<const Snapshot> last_;
     Values view_;
     FilmLength length_;
-    std::vector<std::shared_ptr<const Snapshot>> compared_{};
+    std::vector<ColumnRanges> axes_{};
 };
 
 } // namespace gaspard

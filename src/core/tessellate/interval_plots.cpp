@@ -325,4 +325,26 @@ std::vector<IntervalColumn> interval_plots(const Snapshot& snapshot, const Value
     return interval_plots(snapshot, view, cells);
 }
 
+std::vector<ColumnRanges> shown_ranges(const std::vector<IntervalColumn>& columns) {
+    std::vector<ColumnRanges> ranges;
+    for (const IntervalColumn& column : columns)
+        ranges.push_back({shown_range(column.values, false), shown_range(column.values, true),
+                          shown_range(column.spacing, true)});
+    return ranges;
+}
+
+std::vector<ColumnRanges> merged(const std::vector<ColumnRanges>& one,
+                                 const std::vector<ColumnRanges>& other) {
+    if (one.empty() || other.empty()) return one.empty() ? other : one;
+    GASPARD_CHECK(one.size() == other.size());
+    const auto both = [](AxisRange a, AxisRange b) {
+        return AxisRange{std::min(a.low, b.low), std::max(a.high, b.high)};
+    };
+    std::vector<ColumnRanges> all;
+    for (std::size_t i = 0; i < one.size(); ++i)
+        all.push_back({both(one[i].x, other[i].x), both(one[i].values, other[i].values),
+                       both(one[i].spacing, other[i].spacing)});
+    return all;
+}
+
 } // namespace gaspard

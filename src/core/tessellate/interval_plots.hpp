@@ -10,6 +10,7 @@
 #include "core/session/snapshot.hpp"
 #include "core/tessellate/colouring.hpp"
 #include "core/tessellate/plot.hpp"
+#include "core/tessellate/plot_axis.hpp"
 
 #include <vector>
 
@@ -21,6 +22,17 @@ struct IntervalColumn {
     Plot values;  ///< of the field, or the map
     Plot spacing; ///< widths of the cells
 };
+
+/// What the axes of a column show, in axis units: x and the vertical ones.
+struct ColumnRanges {
+    AxisRange x, values, spacing;
+    friend bool operator==(const ColumnRanges&, const ColumnRanges&) = default;
+};
+/// Of each column, with all values; and what covers two such lists of equally many columns, or the other if
+/// one is empty.
+std::vector<ColumnRanges> shown_ranges(const std::vector<IntervalColumn>& columns);
+std::vector<ColumnRanges> merged(const std::vector<ColumnRanges>& one,
+                                 const std::vector<ColumnRanges>& other);
 
 /// The height of `values` in a column; the rest is the spacing's.
 inline constexpr double values_share = 0.66;

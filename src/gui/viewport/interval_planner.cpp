@@ -31,15 +31,17 @@ PlotView view_of(const Plot& plot, const std::vector<std::optional<Extremes>>& e
     return view;
 }
 
-AxisRange both(AxisRange one, AxisRange other) {
-    return {std::min(one.low, other.low), std::max(one.high, other.high)};
-}
-
 /// Makes the vertical axis cover a range besides its own, unless a range is asked for.
 void cover(PlotView& view, AxisRange range) {
     if (view.y.low || view.y.high) return;
-    const AxisRange all = both(home_range(view, true), range);
-    view.y.low = from_axis(view.y, all.low), view.y.high = from_axis(view.y, all.high);
+    const AxisRange home = home_range(view, true);
+    view.y.low = from_axis(view.y, std::min(home.low, range.low));
+    view.y.high = from_axis(view.y, std::max(home.high, range.high));
+}
+
+void hold(PlotView& view, AxisRange x, AxisRange y) {
+    view.x.low = from_axis(view.x, x.low), view.x.high = from_axis(view.x, x.high);
+    view.y.low = from_axis(view.y, y.low), view.y.high = from_axis(view.y, y.high);
 }
 
 /// Makes curves of plots above each other begin and end at the same pixel.
@@ -60,15 +62,8 @@ ComparedRanges::of(const std::vector<std::shared_ptr<const Snapshot>>& snapshots
     if (snapshots == snapshots_ && (snapshots.empty() || view == view_)) return ranges_;
     snapshots_ = snapshots, view_ = view;
     ranges_.clear();
-    for (const auto& snapshot : snapshots) {
-        const std::vector<IntervalColumn> columns = interval_plots(*snapshot, view);
-        for (std::size_t i = 0; i < columns.size(); ++i) {
-            const ColumnRanges now{shown_range(columns[i].values, true),
-                                   shown_range(columns[i].spacing, true)};
-            if (i == ranges_.size()) ranges_.push_back(now);
-            ranges_[i] = {both(ranges_[i].values, now.values), both(ranges_[i].spacing, now.spacing)};
-        }
-    }
+    for (const auto& snapshot : snapshots)
+        ranges_ = merged(ranges_, shown_ranges(interval_plots(*snapshot, view)));
     return ranges_;
 }
 
@@ -96,7 +91,8 @@ void IntervalPlanner::make(const Snapshot& snapshot, const Values& view, const s
 std::vector<PlannedPlot> IntervalPlanner::plan(const Snapshot& snapshot, const Values& view,
                                                const std::string& title, ScreenRect available,
                                                const std::vector<ColumnZoom>& zooms, float scale,
-                                               const std::vector<ColumnRanges>& compared) {
+                                               const std::vector<ColumnRanges>& compared,
+                                               const std::vector<ColumnRanges>& held) {
     make(snapshot, view, title);
     const float margin = viewport_margin * scale, gap = viewport_gap * scale;
     const std::size_t count = picture_->columns.size();
@@ -118,7 +114,9 @@ std::vector<PlannedPlot> IntervalPlanner::plan(const Snapshot& snapshot, const V
                           .spacing = true,
                           .zoom = {zoom.x, zoom.spacing},
                           .of = picture_};
-        if (i < compared.size())
+        if (i < held.size())
+            hold(above.view, held[i].x, held[i].values), hold(below.view, held[i].x, held[i].spacing);
+        else if (i < compared.size())
             cover(above.view, compared[i].values), cover(below.view, compared[i].spacing);
         align(above, below, scale);
         plots.push_back(std::move(above));

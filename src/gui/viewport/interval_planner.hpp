@@ -21,11 +21,6 @@ struct ColumnZoom {
     friend bool operator==(const ColumnZoom&, const ColumnZoom&) = default;
 };
 
-/// The vertical ranges of the plots of one column, in axis units.
-struct ColumnRanges {
-    AxisRange values, spacing;
-};
-
 /// What the plots of several snapshots cover together.
 class ComparedRanges {
   public:
@@ -53,10 +48,12 @@ class IntervalPlanner {
   public:
     /// The plots side by side in `available`, in the order of columns, with margins. `title` is written above
     /// those that have none of their own. Plots in a column begin and end at the same pixel; those of column
-    /// i are zoomed as zooms[i] says, if it is there, and else cover compared[i], too.
+    /// i show held[i], if it is there; else they are zoomed as zooms[i] says, if it is there, and else the
+    /// vertical axes cover compared[i], too.
     std::vector<PlannedPlot> plan(const Snapshot& snapshot, const Values& view, const std::string& title,
                                   ScreenRect available, const std::vector<ColumnZoom>& zooms, float scale,
-                                  const std::vector<ColumnRanges>& compared = {});
+                                  const std::vector<ColumnRanges>& compared = {},
+                                  const std::vector<ColumnRanges>& held = {});
 
   private:
     struct Picture;

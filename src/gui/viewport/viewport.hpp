@@ -140,6 +140,7 @@ class ViewportPlanner {
     std::optional<Box> also_;
     std::vector<std::shared_ptr<const Snapshot>> compared_;
     ComparedRanges compared_ranges_;
+    std::vector<ColumnRanges> held_axes_; ///< of a film
     struct Home {
         std::shared_ptr<const Mesh> of;
         Size size;

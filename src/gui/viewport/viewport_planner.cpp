@@ -305,7 +305,7 @@ void ViewportPlanner::place_plots(const Snapshot& snapshot, const Values& view, 
                                                  : others[i - 1].title;
         for (PlannedPlot& plot : interval_planners_[i].plan(
                  i == 0 ? snapshot : *others[i - 1].snapshot, view, title,
-                 {corner, {corner.x + width, corner.y + height}}, zooms, scale, compared))
+                 {corner, {corner.x + width, corner.y + height}}, zooms, scale, compared, held_axes_))
             plan.plots.push_back(std::move(plot));
     }
 }
@@ -392,7 +392,7 @@ void ViewportPlanner::prepare(const Snapshot& snapshot, const Values& view) {
 
 void ViewportPlanner::prepare(const FilmFrame& frame) {
     prepare(*frame.snapshot, frame.view);
-    compare_plots(frame.compared);
+    held_axes_ = frame.axes;
 }
 
 ViewportPlan ViewportPlanner::plan(const Snapshot& snapshot, const Values& view, const ViewportText& text,

@@ -56,6 +56,20 @@ TEST(Film, ShowsEveryIterateOnce) {
     EXPECT_EQ(film.hold(), 1);
 }
 
+TEST(Film, OfARunThatEndsEarlyHasEachTimeOnce) {
+    for (const double last : {0.0, 0.1}) { // before the first time step, or later
+        const Solved run = solved("plane-ring", {"domain.cells=8", "method.type=newton",
+                                                 "monitor.type=formula", "time.end=0.2", "time.step=0.05",
+                                                 "monitor.expression=1 + x*(1-x)*(1+t) + (t > " +
+                                                     std::to_string(last + 0.01) + " ? log(x-0.3) : 0)"});
+        ASSERT_EQ(run.last->report.status, RunStatus::invalid_input);
+        const Film film({.motions = {.time = true}}, run.recording, run.last, run.scenario.view);
+        std::vector<double> times;
+        for (int k = 0; k < film.frames(); ++k) times.push_back(film.moment(k));
+        EXPECT_EQ(times, last == 0 ? std::vector<double>{0} : (std::vector<double>{0, 0.05, 0.1}));
+    }
+}
+
 TEST(Film, SpreadsIteratesOverTheFramesThatAreAskedFor) {
     const Solved run = ring();
     const int last = run.last->report.iteration;

@@ -101,36 +101,53 @@ TEST_F(IntervalPlan, WhileIteratesAreComparedTheirAxesStay) {
 
 TEST_F(IntervalPlan, AllFramesOfAFilmHaveTheSameAxes) {
     const auto catalogue = std::make_shared<Catalogue>(builtin_catalogue());
-    for (const auto& [name, motions] : {std::pair{"layer-1d", FilmMotions{.iterations = true}},
-                                        {"burgers-1d", FilmMotions{.time = true}}}) {
-        Scenario scenario = find_scenario(*catalogue, name);
+    struct Case {
+        const char* name;
+        FilmMotions motions;
+        std::vector<std::string> settings;
+    };
+    const std::vector<std::string> in_time{"time.end=0.4", "time.step=0.05"};
+    for (const Case& one :
+         {Case{"layer-1d", {.iterations = true}, {}},
+          {"layer-1d", {.iterations = true}, {"view.x_axis=log-left", "view.layout=side-by-side"}},
+          {"layer-1d", {.iterations = true, .blend = true}, {}},
+          {"layer-1d", {.iterations = true}, {"view.color=none", "view.x_axis=log-right"}},
+          {"layer-1d", {.blend = true}, {"view.x_axis=log-left"}},
+          {"burgers-1d", {.time = true}, in_time},
+          {"burgers-1d", {.time = true, .blend = true}, in_time}}) {
+        Scenario scenario = find_scenario(*catalogue, one.name);
         apply_settings(*catalogue, scenario, {"domain.cells=16"});
-        if (motions.time) apply_settings(*catalogue, scenario, {"time.end=0.4", "time.step=0.05"});
+        apply_settings(*catalogue, scenario, one.settings);
         Recording recording{std::size_t{1} << 30};
         gaspard::Run run(catalogue, scenario);
         recording.add(*run.snapshot());
         while (run.status() == RunStatus::running) run.step(), recording.add(*run.snapshot());
-        const Film film({.motions = motions}, recording, run.snapshot(), scenario.view);
+        const Film film({.motions = one.motions}, recording, run.snapshot(), scenario.view);
         const auto ranges = [&](FilmFrame shown, bool held) {
-            if (!held) shown.compared.clear();
+            if (!held) shown.axes.clear();
             ViewportPlanner planner;
             planner.prepare(shown);
-            std::vector<std::pair<double, double>> all;
+            std::vector<AxisRange> all;
             ui_.frame([&] {
                 for (const PlannedPlot& plot :
                      planner.plan(*shown.snapshot, shown.view, {.subject = subject_}, whole_, 1).plots)
-                    all.emplace_back(home_range(plot.view, true).low, home_range(plot.view, true).high);
+                    for (const bool vertical : {false, true}) all.push_back(home_range(plot.view, vertical));
             });
             return all;
         };
         const auto first = ranges(film.frame(0), true);
         bool differ = false;
-        ASSERT_GT(film.frames(), 4) << name;
+        ASSERT_GT(film.frames(), 4) << one.name;
         for (int k = 0; k < film.frames(); ++k) {
-            EXPECT_EQ(ranges(film.frame(k), true), first) << name << ", frame " << k;
-            differ = differ || ranges(film.frame(k), false) != ranges(film.frame(0), false);
+            EXPECT_EQ(ranges(film.frame(k), true), first) << one.name << ", frame " << k;
+            const auto own = ranges(film.frame(k), false);
+            differ = differ || own != ranges(film.frame(0), false);
+            for (std::size_t i = 0; i < own.size(); ++i) {
+                EXPECT_GE(own[i].low, first[i].low - 1e-9) << "all is seen";
+                EXPECT_LE(own[i].high, first[i].high + 1e-9);
+            }
         }
-        EXPECT_TRUE(differ) << name << ": each fitted by itself";
+        EXPECT_TRUE(differ) << one.name << ": each fitted by itself";
     }
 }
 
