@@ -79,7 +79,11 @@ class Window:
         solving = others = 0.0
         tasks = "/proc/%d/task" % self.program.pid
         for task in os.listdir(tasks):
-            name, fields = open("%s/%s/stat" % (tasks, task)).read().split("(", 1)[1].rsplit(")", 1)
+            try:
+                text = open("%s/%s/stat" % (tasks, task)).read()
+            except FileNotFoundError:  # it has ended
+                continue
+            name, fields = text.split("(", 1)[1].rsplit(")", 1)
             used = 10.0 * (int(fields.split()[11]) + int(fields.split()[12]))
             solving, others = (solving + used, others) if name == "solver" else (solving, others + used)
         return solving, others
