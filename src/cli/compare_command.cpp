@@ -9,6 +9,7 @@
 #include "core/io/history_file.hpp"
 #include "core/io/image.hpp"
 #include "core/io/run_folder.hpp"
+#include "core/scenario/time_rows.hpp"
 #include "core/session/comparison.hpp"
 #include "core/session/report_columns.hpp"
 #include "core/session/run.hpp"
@@ -56,21 +57,26 @@ void print_cells(const std::vector<std::string>& cells) {
 /// The results of all methods: residual curves and meshes. Residuals are those on the mesh of the run, which
 /// are the same measure for all methods; series of a method's own that end it are a plot of their own.
 struct Outcome {
-    explicit Outcome(const Scenario& scenario) {
+    explicit Outcome(const Scenario& scenario) : in_time_(has_time(scenario.time)) {
         residual.x.label = criteria.x.label = axis_of_comparison(scenario);
     }
     Plot residual{"Residual", {}, {"normalised residual", true}, {}};
     Plot against_time{"Residual over CPU time", {"CPU seconds", true}, {"normalised residual", true}, {}};
     Plot criteria{"Other stopping criteria", {}, {"", true}, {}};
     std::vector<Panel> meshes;
+    bool in_time_;
 
     void add(const std::string& method, Run& run, const std::string& status) {
         const SeriesInfo* criterion = other_criterion(run.history().back());
         Curve curve{method, {}, {}}, timed{method, {}, {}}, own;
         if (criterion) own.label = method + ": " + criterion->name;
-        for (const FinestReport& one : finest_reports(run.history())) {
+        const auto reports = finest_reports(run.history());
+        for (std::size_t i = 0; i < reports.size(); ++i) {
+            const FinestReport& one = reports[i];
             const StepReport& report = *one.report;
-            if (is_time_step(run.history().back()) && !is_time_step(report)) continue; // of the solve before
+            if (in_time_ && !is_time_step(report) && // of the solve for the start the result counts
+                (i + 1 == reports.size() || !is_time_step(*reports[i + 1].report)))
+                continue;
             curve.x.push_back(one.place()), curve.y.push_back(report.residual);
             if (criterion) own.x.push_back(one.place()), own.y.push_back(*report.value(criterion->name));
             if (report.cpu_seconds <= 0) continue;
@@ -143,6 +149,8 @@ int compare_command(std::shared_ptr<const Catalogue> catalogue, const CompareArg
             if (rows.empty()) print_cells(comparison_heads());
             rows.push_back(comparison_row(method, run.history()));
             print_cells(comparison_cells(rows.back()));
+            if (run.status() == RunStatus::invalid_input)
+                std::printf("%s: %s\n", method.c_str(), run.history().back().note.c_str());
             record();
             write_atomically(folder / (method + ".csv"), history_csv(run.history()));
             outcome.add(method, run, std::string(status_name(run.status())));

@@ -162,11 +162,13 @@ int record_command(std::shared_ptr<const Catalogue> catalogue, const RecordArgum
         write_all(film, scenario, folder,
                   {.formats = formats, .nodes = nodes, .resumed = arguments.resume, .stop = stop}, *progress);
         progress.reset(); // its line is free for the outcome
+        const StepReport& last = run.history().back();
         if (!arguments.quiet)
             std::printf("%s after %s; %s in %s\n", std::string(status_name(run.status())).c_str(),
-                        counted(run.history().back().iteration, "iteration").c_str(),
+                        counted(last.all_iterations, "iteration").c_str(),
                         counted(film.frames(), "frame").c_str(), folder.string().c_str());
-        return 0;
+        if (run.status() == RunStatus::invalid_input) std::cerr << "gaspard: " << last.note << "\n";
+        return run.status() == RunStatus::invalid_input ? exit_code(run.status()) : 0;
     } catch (const Interrupted&) {
         std::cerr << "gaspard: interrupted"
                   << (begun ? "; the files that are there are complete, and --resume goes on\n"

@@ -204,7 +204,10 @@ int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& 
             history.emplace(folder / "history.csv", run);
         }
         iterate(run, arguments.quiet, history ? &*history : nullptr, interrupt.token());
-        if (!arguments.quiet) print_outcome(run, folder, other_values);
+        if (!arguments.quiet)
+            print_outcome(run, folder, other_values);
+        else if (run.status() == RunStatus::invalid_input)
+            std::cerr << "gaspard: " << run.history().back().note << "\n";
         const std::stop_token stop = interrupt.restart(); // what was interrupted is written, too
         std::exception_ptr failure;                       // rethrown after the other files are written
         std::vector<std::string> possible = possible_run_file_names();

@@ -100,6 +100,9 @@ int why_command(std::shared_ptr<const Catalogue> catalogue, const WhyArguments& 
             rows.push_back(interpolation_row(run, rows.empty() ? nullptr : &rows.back(), interrupt.token()));
             if (rows.size() == 1) check_writable(folder); // after all checks of the input
             print_row(rows.back(), rows.size() == 1);
+            if (run.status() == RunStatus::invalid_input)
+                std::printf("n = %lld: %s\n", static_cast<long long>(resolution),
+                            run.history().back().note.c_str());
             if (code == 0) code = exit_code(run.status());
             if (resolution == shown && !arguments.no_render && !rows.back().errors.exact())
                 maps = error_maps(run, interrupt.token());

@@ -30,6 +30,10 @@ def gaspard(*arguments, cwd=None, environment=None, limit=None, timeout=120):
     return subprocess.run([PROGRAM, *arguments], cwd=cwd, env=environment, text=True, capture_output=True,
                           timeout=timeout, preexec_fn=prepare)
 
+# A monitor that cannot be made at t = 0.06.
+LATE_FAULT = ("--set", "method.type=newton", "--set", "time.end=0.1", "--set", "monitor.type=formula", "--set",
+              "monitor.expression=1 + (t > 0.05 ? log(x - 0.3) : 0)")
+
 
 class Contract(unittest.TestCase):
     def setUp(self):
@@ -177,8 +181,7 @@ class Runs(Contract):
         self.assertEqual(self.summary()["status"], "stalled")
 
     def test_a_monitor_that_cannot_be_made_later_keeps_the_results_before(self):
-        result = self.run_quick("--set", "time.end=0.1", "--set", "monitor.type=formula",
-                                "--set", "monitor.expression=1 + (t > 0.05 ? log(x - 0.3) : 0)")
+        result = self.run_quick(*LATE_FAULT)
         self.assertEqual(result.returncode, 2, result.stderr)
         summary = self.summary()
         self.assertEqual(summary["status"], "invalid-input")
@@ -186,6 +189,22 @@ class Runs(Contract):
             self.assertEqual(float(list(csv.DictReader(file))[-1]["time"]), 0.04)
         self.assertIn("at t = 0.06", summary["note"])
         self.assertTrue(self.bytes("adapted.obj"))
+        sentence = "at t = 0.06"
+        again = self.run_quick("--quiet", "--overwrite", *LATE_FAULT)
+        self.assertEqual((again.returncode, again.stdout), (2, ""))
+        self.assertIn(sentence, again.stderr)
+        for command, arguments, code in (("study", ("--over", "domain.cells=8"), 2), ("why", ("--cells", "8"), 2),
+                                         ("compare", ("--methods", "newton"), 0)):
+            result = gaspard(command, "plane-ring", "--no-render", *LATE_FAULT, *arguments, "--out",
+                             self.out + "-" + command)
+            self.assertEqual(result.returncode, code, result.stdout + result.stderr)
+            self.assertIn(sentence, result.stdout, command)
+        film = gaspard("record", "plane-ring", *LATE_FAULT, "--set", "domain.cells=8", "--formats", "csv", "--out",
+                       self.out + "-film")
+        self.assertEqual(film.returncode, 2)
+        self.assertIn(sentence, film.stderr)
+        with open(os.path.join(self.out + "-film", "trajectories.csv")) as file:
+            self.assertEqual({float(row["time"]) for row in csv.DictReader(file)}, {0, 0.02, 0.04})
 
     def start(self, *settings, **options):
         """A run in the background, once it blocks signals and has computed for half a second."""

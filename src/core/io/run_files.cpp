@@ -122,7 +122,7 @@ std::string summary_json(Run& run, std::stop_token stop) {
     json["cells"] = run.discretisation().mesh()->cell_count();
     json["unknowns"] = run.discretisation().unknowns();
     json["status"] = status_name(last.status);
-    json["iterations"] = last.iteration;
+    json["iterations"] = last.all_iterations;
     json["residual"] = last.residual;
     for (const char* name : {"equidistribution", "theta"}) json[name] = or_null(last.value(name));
     json["tangled_cells"] = or_null(last.tangled_cells);
@@ -136,7 +136,8 @@ std::string summary_json(Run& run, std::stop_token stop) {
     json["setup_seconds"] = run.setup_seconds();
     json["solve_seconds"] = last.seconds;
     json["cpu_seconds"] = last.cpu_seconds;
-    json["seconds_per_iteration"] = last.iteration > 0 ? Json(last.seconds / last.iteration) : Json(nullptr);
+    json["seconds_per_iteration"] =
+        last.all_iterations > 0 ? Json(last.seconds / last.all_iterations) : Json(nullptr);
     json["peak_memory_bytes"] = peak_memory_bytes();
     json["version"] = version();
     int inner = 0;

@@ -22,7 +22,7 @@ Scenario with_method(const Catalogue& catalogue, const Scenario& scenario, const
 struct ComparisonRow {
     std::string method;
     int iterations = 0;        ///< on all meshes, and in all time steps
-    int coarse_iterations = 0; ///< of these, updates made on coarser meshes (level_series)
+    int coarse_iterations = 0; ///< of these, updates made on coarser meshes, before the first time step
     int inner_iterations = 0;  ///< total iterations of the linear solver
     double cpu_seconds = 0;    ///< CPU time of the iteration
     double residual = 0;       ///< on the mesh of the run; the same measure for all methods

@@ -98,7 +98,7 @@ InterpolationRow interpolation_row(Run& run, const InterpolationRow* before, std
                          .cells = mesh.cell_count(),
                          .dimension = cell_dimension(mesh.kind),
                          .status = run.status(),
-                         .iterations = run.history().back().iteration,
+                         .iterations = run.history().back().all_iterations,
                          .errors = *errors};
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     row.uniform_order = row.adapted_order = {nan, nan, nan};

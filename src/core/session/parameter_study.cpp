@@ -160,7 +160,7 @@ void check_study(std::shared_ptr<const Catalogue> catalogue, const StudyPlan& pl
 double study_value(const StudyPoint& point, std::string_view measure) {
     if (!point.report) return nan;
     const StepReport& report = *point.report;
-    if (measure == "iterations") return report.iteration;
+    if (measure == "iterations") return report.all_iterations;
     if (measure == "seconds") return report.seconds;
     if (measure == "cpu_seconds") return report.cpu_seconds;
     if (measure == "tangled_cells")
@@ -192,8 +192,9 @@ std::string measure_label(std::span<const StudyPoint> points, std::string_view m
 std::string study_note(const StudyPoint& point) {
     if (!point.report) return point.complaint;
     if (point.report->status == RunStatus::converged) return point.absence;
-    return std::string(status_name(point.report->status)) + " after " +
-           std::to_string(point.report->iteration) + " iterations";
+    const std::string after = std::string(status_name(point.report->status)) + " after " +
+                              std::to_string(point.report->all_iterations) + " iterations";
+    return point.report->status == RunStatus::invalid_input ? after + ": " + point.report->note : after;
 }
 
 std::vector<std::string> study_absences(std::span<const StudyPoint> points) {

@@ -210,7 +210,8 @@ class Run {
     const StepReport& advance(std::stop_token stop, int time_steps, const FirstAttempt* first = nullptr);
     StepReport report_step(Course& next, const StepMesh& mesh, int iteration, int time_steps) const;
     void end_time(const Course& course, StepReport& report) const;
-    const StepReport& give_up_time(RunStatus status, const std::string& note, const Timer& timer);
+    const StepReport& give_up_time(RunStatus status, const std::string& note, int iterations,
+                                   const Timer& timer);
     void find_exact(Course& course) const;
     static void add_velocity(const Course& course, Snapshot& snapshot);
 

@@ -138,40 +138,50 @@ StepReport Run::report_step(Course& next, const StepMesh& mesh, int iteration, i
     return report;
 }
 
+/// "2 time steps have tangled cells; ..."; empty if all is well.
+static std::string complaints_about(const Following& following) {
+    std::string all;
+    const auto say = [&](int count, const std::string& what) {
+        if (count > 0)
+            all += (all.empty() ? "" : "; ") + std::to_string(count) +
+                   (count == 1 ? " time step " : " time steps ") + what;
+    };
+    say(following.tangled, following.tangled == 1 ? "has tangled cells" : "have tangled cells");
+    say(following.unsolved, std::string(following.unsolved == 1 ? "was" : "were") +
+                                " not solved within time.iterations, and a smaller time.step may help");
+    return all;
+}
+
 /// The status and the note of the last time step.
 void Run::end_time(const Course& course, StepReport& report) const {
     const Following& following = *course.following;
     report.status = following.tangled > 0    ? RunStatus::tangled
                     : following.unsolved > 0 ? RunStatus::iteration_limit
                                              : RunStatus::converged;
-    report.note.clear();
-    const auto say = [&](int count, const std::string& what) {
-        if (count == 0) return;
-        report.note += (report.note.empty() ? "" : "; ") + std::to_string(count) +
-                       (count == 1 ? " time step " : " time steps ") + what;
-    };
-    say(following.tangled, following.tangled == 1 ? "has tangled cells" : "have tangled cells");
-    say(following.unsolved, std::string(following.unsolved == 1 ? "was" : "were") +
-                                " not solved within time.iterations, and a smaller time.step may help");
+    report.note = complaints_about(following);
     note_folds(course, report);
     if (report.status != RunStatus::converged) note_advice(course, report);
 }
 
-/// The run ends at the time before, after a step that cannot be made.
-const StepReport& Run::give_up_time(RunStatus status, const std::string& note, const Timer& timer) {
+/// The run ends at the time before, after a step to another one that cannot be made. Its row of the history
+/// has the time and the mesh of the row before, and no speed.
+const StepReport& Run::give_up_time(RunStatus status, const std::string& note, int iterations,
+                                    const Timer& timer) {
     const Evaluation evaluation = now_.method->evaluate(now_.data, now_.state, {});
     stale_ = false;
     now_.measured.reset();
+    const std::string others = complaints_about(*now_.following);
     StepReport report{.iteration = history_.back().iteration + 1,
                       .residual = evaluation.residual,
+                      .all_iterations = history_.back().all_iterations + iterations,
                       .status = status,
-                      .note = note,
+                      .note = note + (others.empty() ? "" : "; " + others),
                       .series = now_.series};
     take_series(now_, evaluation.series, report);
     add_time(now_, report);
+    report.set(time_names::iterations, iterations);
     measure(now_, report, Diagnostics::full);
     timer.add_to(report, history_.back(), now_);
-    report.all_iterations = history_.back().all_iterations;
     history_.push_back(std::move(report));
     ++version_;
     return history_.back();
@@ -209,13 +219,15 @@ const StepReport& Run::advance(std::stop_token stop, int time_steps, const First
     next.following = following;
     stale_ = true; // until the step is in place
     StepMesh mesh;
+    TimeStep step(*this, next, stop);
+    const auto iterations = [&] { return step.iterations() + (first ? first->mesh.iterations : 0); };
     try {
-        mesh = TimeStep(*this, next, stop).make(*following);
+        mesh = step.make(*following);
     } catch (const InputError& error) { // the monitor cannot be made at this time
-        return give_up_time(RunStatus::invalid_input, error.what(), timer);
+        return give_up_time(RunStatus::invalid_input, error.what(), iterations(), timer);
     }
+    mesh.iterations = iterations();
     if (first) {
-        mesh.iterations += first->mesh.iterations;
         mesh.inner_iterations += first->mesh.inner_iterations;
         mesh.monitor_seconds += first->mesh.monitor_seconds;
     }
@@ -223,7 +235,7 @@ const StepReport& Run::advance(std::stop_token stop, int time_steps, const First
         return give_up_time(RunStatus::diverged,
                             "the iteration diverged in the time step to t = " +
                                 exact_number(following->time()) + "; a smaller time.step may help",
-                            timer);
+                            mesh.iterations, timer);
     if (!mesh.solved)
         following->maps.begin(following->time(), next.state), ++following->unsolved;
     else if (mesh.iterations > 0) // an expected map that was near enough tells nothing new

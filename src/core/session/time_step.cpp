@@ -111,16 +111,19 @@ Run::TimeStep::Attempt Run::TimeStep::follow(const Following& following) {
 Run::TimeStep::Attempt Run::TimeStep::follow_in_parts(const Following& following, const State& before,
                                                       double aim, bool samples, int parts) {
     const double from = following.before_time, to = following.time();
-    Attempt attempt{.evaluation = {}, .state = before};
-    for (int part = 1; part <= parts; ++part) {
-        const bool last = part == parts;
-        set_time(following, last ? to : from + part * (to - from) / parts);
-        attempt = solve(std::move(attempt.state), aim, samples && last);
-        if (!attempt.solved && !last) {
-            attempt.criterion = std::numeric_limits<double>::infinity();
+    Attempt attempt{.evaluation = {}, .state = before, .solved = true};
+    for (int part = 1; part < parts && attempt.solved; ++part) {
+        try {
+            set_time(following, from + part * (to - from) / parts);
+        } catch (const InputError&) { // the monitor cannot be made in between, where no mesh is wanted
+            attempt.solved = false;
             break;
         }
+        attempt = solve(std::move(attempt.state), aim, false);
     }
+    set_time(following, to);
+    if (attempt.solved) return solve(std::move(attempt.state), aim, samples);
+    attempt.criterion = std::numeric_limits<double>::infinity();
     return attempt;
 }
 

@@ -28,6 +28,8 @@ class [[gnu::visibility("hidden")]] Run::TimeStep { // the library does not expo
     /// To the time of `following`, from its time before. A mesh that is not solved is that of the attempt
     /// that came nearest.
     StepMesh make(const Following& following);
+    /// So far, of all attempts.
+    int iterations() const { return iterations_; }
 
   private:
     class LooserMethod;

@@ -143,6 +143,7 @@ TEST_F(Comparison, IterationsOfTimeStepsAreCountedAndPlacedInTime) {
     const ComparisonRow row = comparison_row("newton", run.history());
     EXPECT_EQ(row.iterations, iterations);
     EXPECT_GT(iterations, run.history().back().iteration) << "more than one in a step";
+    EXPECT_EQ(row.coarse_iterations, 0);
     const auto finest = finest_reports(run.history());
     EXPECT_EQ(finest.front().place(), 0);
     EXPECT_EQ(finest.back().place(), 0.1);

@@ -271,6 +271,46 @@ TEST_F(FollowingTest, AMonitorThatCannotBeMadeEndsTheRunAtTheTimeBefore) {
     EXPECT_NEAR(*run.time(), 0.1, 1e-9);
     EXPECT_EQ(run.history().back().tangled_cells, 0u) << "measured";
     EXPECT_EQ(time_of(run.history().back()), run.time());
+    EXPECT_TRUE(is_time_step(run.history().back())) << "plots go on against t";
+}
+
+TEST_F(FollowingTest, WhatIsInTheWayBetweenTwoTimesEndsNothing) {
+    // Two iterations do not suffice, so that steps are divided; the monitor has no values half-way.
+    const auto ends = [&](const std::string& between) {
+        Scenario moving = find_scenario(*catalogue, "plane-ring");
+        apply_settings(*catalogue, moving,
+                       {"domain.cells=16", "method.type=newton", "monitor.type=formula", "time.end=0.4",
+                        "time.step=0.1", "time.iterations=2",
+                        "monitor.expression=1+30*exp(-200*((x-0.5-t)^2+(y-0.5)^2))" + between});
+        gaspard::Run run(catalogue, moving);
+        run.solve();
+        EXPECT_NEAR(*run.time(), 0.4, 1e-12) << run.history().back().note;
+        // What is reported is of the monitor at this time.
+        Scenario still = moving;
+        apply_settings(*catalogue, still, {"time.end=0", "monitor.t=0.4"});
+        const gaspard::Run again(catalogue, still, {.start = run.state()});
+        EXPECT_NEAR(again.history().front().residual, run.history().back().residual,
+                    1e-12 + 1e-9 * run.history().back().residual);
+        return run.status();
+    };
+    EXPECT_EQ(ends("+0*t"), RunStatus::converged) << "divided";
+    EXPECT_NE(ends("+(t>0.11&&t<0.19?log(-1):0)"), RunStatus::invalid_input);
+    EXPECT_NE(ends("+(t>0.301&&t<0.399?1e5*exp(-1e4*((x-0.25)^2+(y-0.5)^2)):0)"), RunStatus::invalid_input)
+        << "no part is solved";
+}
+
+TEST_F(FollowingTest, ARunThatEndsEarlySaysWhatWasUnsolvedBefore) {
+    Scenario moving = find_scenario(*catalogue, "plane-ring");
+    apply_settings(*catalogue, moving,
+                   {"domain.cells=12", "method.type=newton", "monitor.type=formula", "time.end=0.2",
+                    "time.rule=tolerance", "time.tolerance=1e-14", "time.iterations=1",
+                    "monitor.expression=1 + 5*exp(-40*(x-0.5-t)^2) + (t > 0.07 ? log(-1) : 0)"});
+    gaspard::Run run(catalogue, moving);
+    run.solve();
+    EXPECT_EQ(run.status(), RunStatus::invalid_input);
+    const std::string& note = run.history().back().note;
+    EXPECT_NE(note.find("formula"), std::string::npos) << note;
+    EXPECT_NE(note.find("3 time steps were not solved"), std::string::npos) << note;
 }
 
 TEST_F(FollowingTest, CountsTheIterationsOfAllAttempts) {
