@@ -112,11 +112,13 @@ void iterate(Run& run, bool quiet, HistoryFile* history, const std::stop_token& 
     }
 }
 
-/// How many have been made; the history has the first and the last.
+/// How many have been made; the history has the first and the last, and at the end one that was given up.
 int time_steps(const std::vector<StepReport>& history) {
     const auto first = std::ranges::find_if(history, is_time_step);
     if (first == history.end()) return 0;
-    return std::find_if(history.rbegin(), history.rend(), is_time_step)->iteration - first->iteration + 1;
+    const RunStatus status = history.back().status;
+    const bool given_up = status == RunStatus::invalid_input || status == RunStatus::diverged;
+    return history.back().iteration - first->iteration + (given_up ? 0 : 1);
 }
 
 void print_outcome(const Run& run, const std::filesystem::path& folder, bool other_values) {

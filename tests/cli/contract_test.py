@@ -185,6 +185,7 @@ class Runs(Contract):
         self.assertEqual(result.returncode, 2, result.stderr)
         summary = self.summary()
         self.assertEqual(summary["status"], "invalid-input")
+        self.assertIn("invalid-input at t = 0.04 after 2 time steps", result.stdout)
         with open(os.path.join(self.out, "history.csv")) as file:
             self.assertEqual(float(list(csv.DictReader(file))[-1]["time"]), 0.04)
         self.assertIn("at t = 0.06", summary["note"])
