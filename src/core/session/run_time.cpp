@@ -5,8 +5,8 @@
 //   other rules       s_k = s*(t_k) up to a residual, from a start that is extrapolated (extrapolation.hpp)
 //
 // where s*(t) is the map for the monitor at time t, in the first line approximated by one iteration
-// (time_step.hpp). If a step is not solved, it begins again from s_{k-1}, then goes there in 2, 4 or 8 parts;
-// and if what is reached is no better than the identity map, from that.
+// (time_step.hpp). If a step is not solved, it begins again from s_{k-1}, then goes there in 2, 4 or 8 parts,
+// and at last begins from the identity map.
 #include "core/base/check.hpp"
 #include "core/base/short_number.hpp"
 #include "core/diagnostics/exact_map.hpp"

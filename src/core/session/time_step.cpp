@@ -103,7 +103,7 @@ Run::TimeStep::Attempt Run::TimeStep::follow(const Following& following) {
         keep(follow_in_parts(following, before, aim, samples, parts));
     if (good()) return best;
     State identity = course_.method->initial_state();
-    if (best.criterion >= criterion_of(identity)) keep(solve(std::move(identity), aim, samples));
+    if (!counted || best.criterion >= criterion_of(identity)) keep(solve(std::move(identity), aim, samples));
     return best;
 }
 
