@@ -499,8 +499,8 @@ TEST_F(FollowingTest, CountedIterationsDoNotLeadAway) {
     EXPECT_LT(time_steps(run).back().residual, 0.05);
 }
 
-/// Cells are as wide as the ring, and there are too few iterations for most time steps. Without a new beginning
-/// residuals grow beyond 1000.
+/// Cells are as wide as the ring, and there are too few iterations for most time steps. Without a new
+/// beginning residuals grow beyond 1000.
 TEST_F(FollowingTest, AStepThatIsWorseThanTheUniformMeshBeginsThere) {
     const std::vector<std::string> ring{"domain.cells=9", "time.end=1.5",
                                         "time.monitor.center_x=center_x + t",
