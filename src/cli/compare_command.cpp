@@ -9,11 +9,9 @@
 #include "core/io/history_file.hpp"
 #include "core/io/image.hpp"
 #include "core/io/run_folder.hpp"
-#include "core/scenario/time_rows.hpp"
 #include "core/session/comparison.hpp"
 #include "core/session/report_columns.hpp"
 #include "core/session/run.hpp"
-#include "core/session/time_series.hpp"
 #include "gui/app/viewport_image.hpp"
 #include "gui/gl/offscreen.hpp"
 
@@ -57,30 +55,23 @@ void print_cells(const std::vector<std::string>& cells) {
 /// The results of all methods: residual curves and meshes. Residuals are those on the mesh of the run, which
 /// are the same measure for all methods; series of a method's own that end it are a plot of their own.
 struct Outcome {
-    explicit Outcome(const Scenario& scenario) : in_time_(has_time(scenario.time)) {
-        residual.x.label = criteria.x.label = axis_of_comparison(scenario);
+    explicit Outcome(const Scenario& scenario) {
+        residual.x.label = criteria.x.label = comparison_axis(scenario);
     }
     Plot residual{"Residual", {}, {"normalised residual", true}, {}};
     Plot against_time{"Residual over CPU time", {"CPU seconds", true}, {"normalised residual", true}, {}};
     Plot criteria{"Other stopping criteria", {}, {"", true}, {}};
     std::vector<Panel> meshes;
-    bool in_time_;
 
     void add(const std::string& method, Run& run, const std::string& status) {
         const SeriesInfo* criterion = other_criterion(run.history().back());
         Curve curve{method, {}, {}}, timed{method, {}, {}}, own;
         if (criterion) own.label = method + ": " + criterion->name;
-        const auto reports = finest_reports(run.history());
-        for (std::size_t i = 0; i < reports.size(); ++i) {
-            const FinestReport& one = reports[i];
-            const StepReport& report = *one.report;
-            if (in_time_ && !is_time_step(report) && // of the solve for the start the result counts
-                (i + 1 == reports.size() || !is_time_step(*reports[i + 1].report)))
-                continue;
-            curve.x.push_back(one.place()), curve.y.push_back(report.residual);
-            if (criterion) own.x.push_back(one.place()), own.y.push_back(*report.value(criterion->name));
-            if (report.cpu_seconds <= 0) continue;
-            timed.x.push_back(report.cpu_seconds), timed.y.push_back(report.residual);
+        for (const auto& [x, report] : comparison_points(run.scenario(), run.history())) {
+            curve.x.push_back(x), curve.y.push_back(report->residual);
+            if (criterion) own.x.push_back(x), own.y.push_back(*report->value(criterion->name));
+            if (report->cpu_seconds <= 0) continue;
+            timed.x.push_back(report->cpu_seconds), timed.y.push_back(report->residual);
         }
         curve.colour = timed.colour = own.colour = meshes.size();
         residual.curves.push_back(std::move(curve));

@@ -116,9 +116,7 @@ void iterate(Run& run, bool quiet, HistoryFile* history, const std::stop_token& 
 int time_steps(const std::vector<StepReport>& history) {
     const auto first = std::ranges::find_if(history, is_time_step);
     if (first == history.end()) return 0;
-    const RunStatus status = history.back().status;
-    const bool given_up = status == RunStatus::invalid_input || status == RunStatus::diverged;
-    return history.back().iteration - first->iteration + (given_up ? 0 : 1);
+    return history.back().iteration - first->iteration + (is_given_up(history.back()) ? 0 : 1);
 }
 
 void print_outcome(const Run& run, const std::filesystem::path& folder, bool other_values) {

@@ -59,8 +59,8 @@ double distance_in_space(void* place, const double* from, int count) {
 }
 
 /// A parser with variables of its own, for one thread.
-/// muParser reads numbers with a locale of its own, whose tables the C++ library makes in its first use
-/// without guarding them: that one comes alone.
+/// muParser reads numbers with a locale of its own. The C++ library makes the tables of a locale when it is
+/// first used, and does not guard them, so one thread must use it before others may.
 void read_first_number() {
     static const bool done = [] {
         mu::Parser parser;

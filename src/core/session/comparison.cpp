@@ -78,9 +78,22 @@ std::vector<FinestReport> finest_reports(const std::vector<StepReport>& history)
     return finest;
 }
 
-double FinestReport::place() const { return time_of(*report).value_or(iteration); }
+std::vector<ComparisonPoint> comparison_points(const Scenario& scenario,
+                                               const std::vector<StepReport>& history) {
+    std::vector<ComparisonPoint> points;
+    if (!has_time(scenario.time)) {
+        for (const FinestReport& one : finest_reports(history))
+            points.push_back({static_cast<double>(one.iteration), one.report});
+        return points;
+    }
+    auto first = std::ranges::find_if(history, is_time_step);
+    if (first == history.end()) return points;
+    if (first != history.begin()) --first; // the solved start
+    for (; first != history.end(); ++first) points.push_back({time_of(*first).value(), &*first});
+    return points;
+}
 
-std::string axis_of_comparison(const Scenario& scenario) {
+std::string comparison_axis(const Scenario& scenario) {
     return has_time(scenario.time) ? "time t" : "iteration on the finest mesh";
 }
 

@@ -41,12 +41,18 @@ ComparisonRow comparison_row(const std::string& method, const std::vector<StepRe
 struct FinestReport {
     int iteration = 0;
     const StepReport* report; ///< of the history
-    /// Where a plot shows it, under axis_of_comparison(): its time if there are time steps, else `iteration`.
-    double place() const;
 };
 std::vector<FinestReport> finest_reports(const std::vector<StepReport>& history);
-/// "iteration on the finest mesh", or of a scenario with time "time t".
-std::string axis_of_comparison(const Scenario& scenario);
+/// Those that curves show, and where on the horizontal axis: all, at their `iteration`; of a scenario with
+/// time the solved start and the time steps, at their times.
+struct ComparisonPoint {
+    double x = 0;
+    const StepReport* report; ///< of the history
+};
+std::vector<ComparisonPoint> comparison_points(const Scenario& scenario,
+                                               const std::vector<StepReport>& history);
+/// "iteration on the finest mesh" or "time t".
+std::string comparison_axis(const Scenario& scenario);
 
 /// Column headings of the table, and the cells of a row as text.
 std::vector<std::string> comparison_heads();

@@ -33,6 +33,10 @@ std::optional<double> time_of(const StepReport& report) { return report.value(ti
 
 bool is_time_step(const StepReport& report) { return report.value(time_names::iterations).has_value(); }
 
+bool is_given_up(const StepReport& report) {
+    return is_time_step(report) && !report.value(time_names::speed);
+}
+
 bool is_wall_time(std::string_view series) { return series == time_names::monitor; }
 
 std::optional<double> tolerance_of(const Scenario& scenario, const StepReport& newest) {

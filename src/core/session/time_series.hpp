@@ -24,6 +24,8 @@ std::vector<FieldInfo> velocity_fields(int dimension);
 std::optional<double> time_of(const StepReport& report);
 /// Whether the iterate is the result of a time step. Others belong to the solve for the first time.
 bool is_time_step(const StepReport& report);
+/// Whether it repeats the iterate before it, because the next time step could not be made.
+bool is_given_up(const StepReport& report);
 /// Whether a series is wall time, which differs between runs of the same input: mesh files leave it out.
 bool is_wall_time(std::string_view series);
 /// What the iterates of a run are solved to, of the series by which it is judged: method.tolerance, or that

@@ -185,12 +185,11 @@ FilmIterates film_iterates(const Recording& recording) {
             iterates.first_in_time = iterates.recorded[i - 1] == iterates.recorded[i] - 1
                                          ? iterates.recorded[i - 1]
                                          : iterates.recorded[i];
-    for (const int iteration : iterates.recorded)
+    auto& recorded = iterates.recorded;
+    if (recorded.size() > 1 && is_given_up(recording.at(recorded.back())->report())) recorded.pop_back();
+    for (const int iteration : recorded)
         if (iterates.first_in_time && iteration >= *iterates.first_in_time)
             iterates.times.push_back(time_of(recording.at(iteration)->report()).value());
-    auto& times = iterates.times;
-    if (times.size() > 1 && times.back() == times[times.size() - 2]) // a step that could not be made
-        times.pop_back(), iterates.recorded.pop_back();
     return iterates;
 }
 
@@ -281,9 +280,7 @@ Film::Film(FilmPlan plan, const Recording& recording, std::shared_ptr<const Snap
 
 /// To all meshes of the film, but to tangled ones only if there are no others.
 void Film::fit_axes(const std::stop_token& stop) {
-    std::vector<bool> shown(iterations_.size(), false);
-    for (int k = 0; k < length_.frames; ++k)
-        shown[plan_.motions.shows_iterates() ? place_in_list(k) : iterations_.size() - 1] = true;
+    const std::vector<bool> shown = this->shown();
     std::vector<Values> views{view_};
     if (plan_.motions.blend) { // in between, all is between
         views.push_back(view_);
@@ -310,7 +307,8 @@ bool Film::holds_camera() const {
 /// Which of the iterations the frames show.
 std::vector<bool> Film::shown() const {
     std::vector<bool> shown(iterations_.size(), false);
-    for (int k = 0; k < length_.frames; ++k) shown[place_in_list(k)] = true;
+    if (!plan_.motions.shows_iterates()) shown.back() = true;
+    for (int k = 0; plan_.motions.shows_iterates() && k < length_.frames; ++k) shown[place_in_list(k)] = true;
     return shown;
 }
 

@@ -39,6 +39,7 @@ void cover(PlotView& view, AxisRange range) {
     view.y.high = from_axis(view.y, std::max(home.high, range.high));
 }
 
+/// Makes both axes show these ranges.
 void hold(PlotView& view, AxisRange x, AxisRange y) {
     view.x.low = from_axis(view.x, x.low), view.x.high = from_axis(view.x, x.high);
     view.y.low = from_axis(view.y, y.low), view.y.high = from_axis(view.y, y.high);

@@ -144,11 +144,20 @@ TEST_F(Comparison, IterationsOfTimeStepsAreCountedAndPlacedInTime) {
     EXPECT_EQ(row.iterations, iterations);
     EXPECT_GT(iterations, run.history().back().iteration) << "more than one in a step";
     EXPECT_EQ(row.coarse_iterations, 0);
-    const auto finest = finest_reports(run.history());
-    EXPECT_EQ(finest.front().place(), 0);
-    EXPECT_EQ(finest.back().place(), 0.1);
-    EXPECT_EQ(axis_of_comparison(scenario), "time t");
-    EXPECT_EQ(axis_of_comparison(small()), "iteration on the finest mesh");
+    const auto points = comparison_points(scenario, run.history());
+    ASSERT_EQ(points.size(), 6u) << "the solved start and five time steps";
+    EXPECT_EQ(points.front().x, 0);
+    EXPECT_LT(points.front().report->residual, 1e-8);
+    EXPECT_EQ(points.back().x, 0.1);
+    EXPECT_EQ(comparison_axis(scenario), "time t");
+    const gaspard::Run unsolved(catalogue, scenario);
+    EXPECT_TRUE(comparison_points(scenario, unsolved.history()).empty()) << "time has not begun";
+    gaspard::Run still(catalogue, small());
+    still.solve();
+    const auto curve = comparison_points(small(), still.history());
+    ASSERT_EQ(curve.size(), still.history().size());
+    EXPECT_EQ(curve.back().x, still.history().back().iteration);
+    EXPECT_EQ(comparison_axis(small()), "iteration on the finest mesh");
 }
 
 TEST_F(Comparison, WhatHasNotBegunHasNoNumbers) {
