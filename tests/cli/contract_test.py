@@ -180,6 +180,26 @@ class Runs(Contract):
                                         "monitor.amplitude=2", "--set", "monitor.sharpness=20").returncode, 5)
         self.assertEqual(self.summary()["status"], "stalled")
 
+    def test_all_commands_count_the_iterations_of_time_steps(self):
+        moving = ("--set", "domain.cells=16", "--set", "monitor.sharpness=60", "--set", "method.type=newton", "--set", "time.end=0.1", "--set",
+                  "time.rule=tolerance", "--set", "time.monitor.center_x=center_x + t/2", "--no-render", "--out")
+
+        def rows(folder, name):
+            with open(os.path.join(folder, name)) as file:
+                return list(csv.DictReader(file))
+        self.assertEqual(gaspard("run", "plane-ring", *moving, self.out).returncode, 0)
+        history = rows(self.out, "history.csv")
+        of_steps = [int(row["step_iterations"]) for row in history if row["step_iterations"]]
+        count = len(history) - 1 - len(of_steps) + sum(of_steps)
+        self.assertGreater(count, len(history) - 1)
+        self.assertEqual(self.summary()["iterations"], count)
+        for command, arguments, file in (("study", ("--over", "domain.cells=16"), "study.csv"),
+                                         ("why", ("--cells", "16"), "why.csv"),
+                                         ("compare", ("--methods", "newton"), "comparison.csv")):
+            folder = self.out + "-" + command
+            self.assertEqual(gaspard(command, "plane-ring", *arguments, *moving, folder).returncode, 0, command)
+            self.assertEqual(int(float(rows(folder, file)[0]["iterations"])), count, command)
+
     def test_a_monitor_that_cannot_be_made_later_keeps_the_results_before(self):
         result = self.run_quick(*LATE_FAULT)
         self.assertEqual(result.returncode, 2, result.stderr)

@@ -485,6 +485,11 @@ TEST_F(FollowingTest, AMonitorOfTheCallerHasItsOwnTime) {
     EXPECT_EQ(run.time(), std::nullopt);
     run.solve();
     EXPECT_EQ(run.status(), RunStatus::converged);
+    gaspard::Run still = make({"time.monitor.center_x="});
+    EXPECT_EQ(still.monitor_report()->notes.size(), 1u) << "nothing moves";
+    still.follow(function_monitor([](Vec3) { return 1.0; }));
+    const auto report = still.monitor_report();
+    EXPECT_TRUE(!report || report->notes.empty()) << "the caller moves it";
 }
 
 /// Maps that were not solved would be extrapolated ever farther.

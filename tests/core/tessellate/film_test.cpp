@@ -56,6 +56,26 @@ TEST(Film, ShowsEveryIterateOnce) {
     EXPECT_EQ(film.hold(), 1);
 }
 
+TEST(Film, AxesOfAnIntervalCoverItsSoundMeshes) {
+    const auto axes = [](bool tangled, bool sound_too) {
+        const Solved run = solved("layer-1d", {"domain.cells=8"});
+        Recording recording{std::size_t{1} << 30};
+        Snapshot snapshot = *run.last;
+        for (int i = sound_too ? 0 : 1; i < 2; ++i) {
+            snapshot.report.iteration = i, snapshot.version = static_cast<std::uint64_t>(i) + 1;
+            snapshot.report.tangled_cells = i == 1 && tangled ? 1 : 0;
+            if (i == 1) snapshot.x.x[1] = 1e-9; // a very narrow cell
+            recording.add(snapshot);
+        }
+        const Film film({.motions = {.iterations = true}}, recording,
+                        std::make_shared<const Snapshot>(snapshot), run.scenario.view);
+        return film.frame(0).axes.at(0).spacing.low;
+    };
+    EXPECT_LT(axes(false, true), -9);
+    EXPECT_GT(axes(true, true), -8) << "a tangled mesh does not count";
+    EXPECT_LT(axes(true, false), -9) << "but where there is no other";
+}
+
 TEST(Film, OfARunThatEndsEarlyHasEachTimeOnce) {
     for (const double last : {0.0, 0.1}) { // before the first time step, or later
         const Solved run = solved("plane-ring", {"domain.cells=8", "method.type=newton",
